@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stage 5: points of blocks.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/field.h"
+#include "elliptic/solve_result.h"
+#include "faces/face_grid.h"
+#include "topology/topology.h"
+
+namespace hexweave {
+
+/// The points of one block. Its boundary nodes are those of its faces, to the bit.
+struct BlockGrid {
+    PointField points;
+    SolveResult solve;
+};
+
+/// One grid per block of the topology, in its order; independent blocks in parallel. `done` is
+/// called after each block, from any thread but never from two at once.
+std::vector<BlockGrid> make_blocks(const Topology& topology, const std::vector<FaceGrid>& faces,
+                                   const std::function<void()>& done = {});
+
+}  // namespace hexweave

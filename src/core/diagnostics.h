@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with an input, and where: collected, never thrown one by one, and shown like a good
+// compiler's messages.
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hexweave {
+
+/// A text that was read: its name as the user knows it, and its contents.
+struct SourceFile {
+    std::string name;
+    std::string text;
+};
+
+/// A place in a source: line and column count from 1; 0 means "the file as a whole" (line) or
+/// "no column" (column). `length` is how many characters the caret underlines.
+struct Place {
+    std::shared_ptr<const SourceFile> file;
+    int line = 0;
+    int column = 0;
+    int length = 1;
+};
+
+enum class Severity { error, warning };
+
+/// A further place that explains a diagnostic: "first defined here".
+struct Note {
+    Place place;
+    std::string message;
+};
+
+struct Diagnostic {
+    Severity severity = Severity::error;
+    Place place;
+    std::string message;
+    std::string hint;  ///< what to do; may be empty
+    std::vector<Note> notes;
+};
+
+/// The diagnostics of one run, in the order in which they were found.
+class Diagnostics {
+public:
+    Diagnostic& error(Place place, std::string message, std::string hint = {});
+    Diagnostic& warning(Place place, std::string message, std::string hint = {});
+
+    const std::vector<Diagnostic>& all() const { return all_; }
+    bool has_errors() const { return errors_ > 0; }
+    int errors() const { return errors_; }
+    int warnings() const { return static_cast<int>(all_.size()) - errors_; }
+    /// Sorted by line and column, file by file; equal messages at one place are kept once.
+    void sort();
+
+private:
+    std::vector<Diagnostic> all_;
+    int errors_ = 0;
+};
+
+/// Thrown at the end of reading and of resolving when there were errors; carries all of them.
+struct InputError : std::exception {
+    Diagnostics diagnostics;
+
+    explicit InputError(Diagnostics d) : diagnostics(std::move(d)) {}
+    const char* what() const noexcept override { return "the input has errors"; }
+};
+
+/// `wing.yaml:42:9: error: ...`, the line, a caret, the notes, the hint.
+std::string render(const Diagnostic& diagnostic);
+std::string render(const Diagnostics& diagnostics);
+
+/// The name among `known` nearest to `name` by edit distance (at most a third of its length, and
+/// 3), or an empty string.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
+
+}  // namespace hexweave

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A finished multiblock grid: zones, what joins them, what bounds them. What the writers write, the
+// readers read and the measures measure; it knows nothing of how the grid was made.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/field.h"
+#include "core/orientation.h"
+
+namespace hexweave {
+
+/// One structured block of nodes: extent (ni, nj, nk), nk = 1 for a face of a 2D or surface grid.
+struct Zone {
+    std::string name;
+    PointField points;
+};
+
+/// A one-to-one interface, stored once; the writers write it on both sides. `box` runs forwards;
+/// `donor_box` holds the donor nodes of box.begin and box.end. `orientation` takes the axes of
+/// `zone` to those of `donor`. Zone and donor may be the same (a cut).
+struct Interface {
+    std::string name;
+    int zone = 0;
+    IndexBox box;
+    int donor = 0;
+    IndexBox donor_box;
+    Orientation orientation;
+};
+
+/// A boundary condition family: its name and the name of its CGNS BCType ("BCWallViscous").
+struct Family {
+    std::string name;
+    std::string type;
+};
+
+/// A part of one zone's boundary that belongs to a family. `name` is the face (edge) it came from.
+struct BoundaryPatch {
+    std::string name;
+    int zone = 0;
+    IndexBox box;
+    int family = 0;
+};
+
+struct MultiblockGrid {
+    std::string title;
+    std::string units;           ///< "m", "mm", ...; empty when unknown
+    int cell_dimension = 3;      ///< 2 or 3
+    int physical_dimension = 3;  ///< 2 or 3
+    std::vector<Zone> zones;
+    std::vector<Interface> interfaces;
+    std::vector<Family> families;
+    std::vector<BoundaryPatch> patches;
+    std::string provenance;  ///< version, hash of the config, overrides; no date, no host, no path
+};
+
+}  // namespace hexweave

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stage 4: points of faces.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/field.h"
+#include "edges/edge_grid.h"
+#include "elliptic/solve_result.h"
+#include "topology/topology.h"
+
+namespace hexweave {
+
+/// The points of one face, extent (ni, nj, 1). Its boundary nodes are those of its edges, to the
+/// bit.
+struct FaceGrid {
+    PointField points;
+    SolveResult solve;
+};
+
+/// One grid per face of the topology, in its order; independent faces in parallel. `done` is called
+/// after each face, from any thread but never from two at once.
+std::vector<FaceGrid> make_faces(const Topology& topology, const std::vector<EdgeGrid>& edges,
+                                 const std::function<void()>& done = {});
+
+}  // namespace hexweave

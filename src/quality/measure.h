@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stage 6: measures of a finished grid. Nothing that a solver said is believed: positivity,
+// interfaces and spacings are computed anew from the points.
+#pragma once
+
+#include <vector>
+
+#include "blocks/block_grid.h"
+#include "core/multiblock.h"
+#include "edges/edge_grid.h"
+#include "faces/face_grid.h"
+#include "quality/report.h"
+#include "topology/topology.h"
+
+namespace hexweave {
+
+/// The cells of one zone. Scaled Jacobian of a corner: the determinant of its three edges over the
+/// product of their lengths; of a surface cell: the corner's normal against the cell's mean normal.
+/// A cell is folded when a corner is not above 1e-9, unless the corner lies where two sides of the
+/// zone meet at more than 150 degrees: such corners are counted apart.
+ZoneMeasure measure_zone(const Zone& zone);
+
+/// All measures of a run; `stages` is left empty.
+Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
+               const std::vector<FaceGrid>& faces, const std::vector<BlockGrid>& blocks,
+               const MultiblockGrid& grid);
+
+}  // namespace hexweave

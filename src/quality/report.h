@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was measured of a run: the numbers behind the printed report, the JSON, and the exit code.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field.h"
+#include "core/orientation.h"
+#include "core/vec3.h"
+#include "elliptic/solve_result.h"
+
+namespace hexweave {
+
+/// First and last cell of one edge, asked and got; arc length along the edge.
+struct SpacingMeasure {
+    std::string edge;
+    int cells = 0;
+    double length = 0;
+    std::optional<double> asked_start;
+    std::optional<double> asked_end;
+    double got_start = 0;
+    double got_end = 0;
+};
+
+/// A solve of one face or block.
+struct SolveMeasure {
+    std::string name;
+    bool is_block = false;
+    Extent extent;
+    SolveResult result;
+};
+
+/// The cells of one zone, measured anew from its points.
+struct ZoneMeasure {
+    std::string name;
+    Extent extent;
+    std::size_t cells = 0;
+    double worst_scaled_jacobian = 1;  ///< over all corners of all cells, flat corners apart
+    Node worst_cell{};                 ///< zero-based
+    Vec3 worst_place;
+    std::size_t folded = 0;
+    std::size_t flat_corners = 0;
+};
+
+/// Nodes of one interface that are not the same to the last bit on its two sides.
+struct InterfaceMeasure {
+    std::string name;
+    std::size_t mismatched = 0;
+};
+
+struct StageTime {
+    std::string stage;
+    double seconds = 0;
+};
+
+struct Report {
+    std::string title;
+    std::size_t cells = 0;
+    std::size_t nodes = 0;
+    std::vector<ZoneMeasure> zones;
+    std::vector<InterfaceMeasure> interfaces;
+    std::vector<SpacingMeasure> spacings;
+    std::vector<SolveMeasure> solves;
+    std::vector<StageTime> stages;
+
+    std::size_t folded() const;
+    double worst_scaled_jacobian() const;
+    std::size_t mismatched() const;
+    std::size_t unconverged() const;
+    /// No folded cell, every solve converged, every interface the same on both sides.
+    bool sound() const { return folded() == 0 && unconverged() == 0 && mismatched() == 0; }
+};
+
+}  // namespace hexweave

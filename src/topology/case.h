@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// The case as written: what the YAML file says, with every expression evaluated and every entry
+// knowing its place in the file. Nothing is resolved yet: names are still names.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/diagnostics.h"
+#include "core/orientation.h"
+#include "core/vec3.h"
+#include "geometry/curve.h"
+
+namespace hexweave {
+
+template <class T>
+struct Located {
+    T value{};
+    Place place;
+};
+
+/// A name where it is defined or used.
+using Name = Located<std::string>;
+
+/// A use of an edge that may be written `-edge`.
+struct SignedName {
+    std::string value;
+    bool reversed = false;
+    bool sign_given = false;  ///< written with `-` (or `+`): no inference
+    Place place;
+};
+
+struct Parameter {
+    Name name;
+    double value = 0;
+    bool overridden = false;  ///< by --set
+};
+
+/// The shape is null where it could not be built (a diagnostic says why); names still resolve.
+struct CurveEntry {
+    Name name;
+    std::shared_ptr<const Curve> shape;
+};
+
+struct OnCurve {
+    Name curve;
+    double at = 0;  ///< fraction of the curve's arc length
+};
+
+struct VertexEntry {
+    Name name;
+    std::variant<Vec3, OnCurve> where;
+};
+
+/// Spacing laws. Sizes are arc length along the edge, in the file's units; fractions run from 0 to
+/// 1 over the edge, in its own direction.
+struct UniformLaw {};
+/// Vinokur's tanh: absolute first and last cell, either free.
+struct TanhLaw {
+    std::optional<double> start;
+    std::optional<double> end;
+};
+/// Each cell is `ratio` times the one before. Either the ratio, or the first cell, or the last.
+struct GeometricLaw {
+    std::optional<double> ratio;
+    std::optional<double> start;
+    std::optional<double> end;
+};
+/// Points where the user says: cells + 1 values from 0 to 1, or a formula of t = index / cells.
+/// Fractions of the arc length, or, when `of_parameter`, of the curve's parameter over the edge.
+struct ExplicitLaw {
+    std::vector<double> values;
+    std::function<double(double)> formula;
+    bool of_parameter = false;
+};
+/// The fractions of another edge.
+struct LikeLaw {
+    SignedName edge;
+};
+using SpacingEntry = std::variant<UniformLaw, TanhLaw, GeometricLaw, ExplicitLaw, LikeLaw>;
+
+struct EdgeEntry {
+    Name name;
+    Name from;
+    Name to;
+    std::optional<Name> along;             ///< a straight line where absent
+    std::optional<Located<Vec3>> through;  ///< picks the way on a closed curve
+    std::optional<Located<int>> cells;
+    std::optional<Located<SpacingEntry>> spacing;
+};
+
+enum class Method { elliptic, algebraic };
+
+/// How a face or block is to be made.
+struct MethodEntry {
+    Method method = Method::elliptic;
+    std::optional<double> tolerance;  ///< displacement in cells; the global one where absent
+};
+
+/// Four sides (imin, imax, jmin, jmax), each an edge or several in a row; or four corner vertices
+/// in the order (imin,jmin), (imax,jmin), (imax,jmax), (imin,jmax).
+struct FaceEntry {
+    Name name;
+    std::variant<std::array<std::vector<SignedName>, 4>, std::array<Name, 4>> shape;
+    MethodEntry how;
+};
+
+/// A face as a block's side; `axes`, when given, are the side's two axes in the face's own (signed,
+/// 1 = i, 2 = j).
+struct FaceUseEntry {
+    Name face;
+    std::optional<std::array<int, 2>> axes;
+};
+
+/// Six sides (imin imax jmin jmax kmin kmax), or eight corner vertices in the order of the CGNS
+/// hexahedron.
+struct BlockEntry {
+    Name name;
+    std::variant<std::array<FaceUseEntry, 6>, std::array<Name, 8>> shape;
+    MethodEntry how;
+};
+
+/// A plane given as "x = 0", "y = expr" or "z = expr".
+struct AxisPlane {
+    int axis = 0;
+    double value = 0;
+};
+
+struct BoundaryEntry {
+    Name name;
+    Name type;  ///< a CGNS BCType name
+    std::vector<Name> sides;
+    std::optional<Located<AxisPlane>> plane;
+};
+
+struct SolverEntry {
+    double tolerance = 1e-3;  ///< displacement in cells
+    int maximum_iterations = 200;
+    bool start_folded = false;  ///< for tests of robustness: begin from a grid folded on purpose
+};
+
+struct Case {
+    std::shared_ptr<const SourceFile> source;
+    std::string title;
+    std::string units = "m";
+    std::vector<Parameter> parameters;
+    std::vector<CurveEntry> curves;
+    std::vector<VertexEntry> vertices;
+    std::vector<EdgeEntry> edges;
+    std::vector<FaceEntry> faces;
+    std::vector<BlockEntry> blocks;
+    std::vector<BoundaryEntry> boundaries;
+    SolverEntry solver;
+    std::optional<Name> cgns_output;
+    std::string provenance;  ///< version, hash of the config, overrides
+};
+
+}  // namespace hexweave

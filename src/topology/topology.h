@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// The topology as resolved: every name an index, every direction, orientation, cell count and
+// spacing law known. A Topology exists only if it is valid; the stages that follow check nothing of
+// the user's input again.
+//
+// Faces: corners run (imin,jmin), (imax,jmin), (imax,jmax), (imin,jmax).
+//
+//        jmax              Sides imin and imax run along increasing j, jmin and jmax along
+//    3 --------- 2         increasing i.
+//    |           |
+//  imin  face   imax
+//    |           |
+//    0 --------- 1
+//        jmin
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/diagnostics.h"
+#include "core/multiblock.h"
+#include "core/orientation.h"
+#include "core/vec3.h"
+#include "geometry/curve.h"
+#include "topology/case.h"
+
+namespace hexweave {
+
+struct Vertex {
+    std::string name;
+    Vec3 position;
+    Place place;
+};
+
+/// The normalized arc-length distribution of another edge of as many cells.
+struct SameAs {
+    int edge = 0;
+    bool reversed = false;
+};
+using SpacingLaw = std::variant<UniformLaw, TanhLaw, GeometricLaw, ExplicitLaw, SameAs>;
+
+/// A piece of a curve from vertex `start` to vertex `end`. `from` and `to` are curve parameters (to
+/// < from where the edge runs against the curve; outside the range where it crosses the seam of a
+/// closed one). The grid's end points are the vertices themselves, to the last bit.
+struct Edge {
+    std::string name;
+    Place place;
+    int start = 0;
+    int end = 0;
+    std::shared_ptr<const Curve> curve;
+    double from = 0;
+    double to = 1;
+    double length = 0;
+    int cells = 1;
+    SpacingLaw law;
+    std::optional<double> asked_start;  ///< first cell asked by this edge's own law
+    std::optional<double> asked_end;
+    std::vector<AxisPlane> planes;  ///< symmetry planes it lies on: its points are exactly there
+    bool made = false;              ///< not drawn by the user: a straight edge between two corners
+};
+
+struct EdgeUse {
+    int edge = 0;
+    bool reversed = false;
+
+    friend bool operator==(const EdgeUse&, const EdgeUse&) = default;
+};
+
+/// How a face or block is made.
+struct SolveRequest {
+    Method method = Method::elliptic;
+    double tolerance = 1e-3;  ///< displacement in cells
+    int maximum_iterations = 200;
+    bool start_folded = false;
+};
+
+struct Face {
+    std::string name;
+    Place place;
+    std::array<std::vector<EdgeUse>, 4> sides;  ///< indexed by Side::imin .. Side::jmax
+    std::array<int, 4> corners{};               ///< vertices
+    int cells_i = 1;
+    int cells_j = 1;
+    SolveRequest solve;
+    std::optional<AxisPlane>
+        plane;  ///< the symmetry plane it lies on: its points are exactly there
+    bool made = false;
+
+    const std::vector<EdgeUse>& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
+    Extent extent() const { return {cells_i + 1, cells_j + 1, 1}; }
+};
+
+/// A face as a side of a block: `orientation` takes the side's two tangential axes (ascending) to
+/// the face's (i, j).
+struct FaceUse {
+    int face = 0;
+    Orientation orientation;
+};
+
+struct Block {
+    std::string name;
+    Place place;
+    std::array<FaceUse, 6> sides;
+    std::array<int, 8> corners{};  ///< vertices in the order of the CGNS hexahedron
+    Extent extent;                 ///< nodes
+    SolveRequest solve;
+
+    const FaceUse& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
+};
+
+/// A named part of the boundary: edges in two dimensions, faces in three. `plane` for a symmetry
+/// plane.
+struct Boundary {
+    Family family;
+    std::vector<int> sides;
+    std::optional<AxisPlane> plane;
+};
+
+struct Topology {
+    std::string title;
+    std::string units;
+    std::string provenance;
+    std::vector<Vertex> vertices;
+    std::vector<Edge> edges;
+    std::vector<Face> faces;
+    std::vector<Block> blocks;
+    std::vector<Boundary> boundaries;  ///< covers every free side; `unassigned` added where needed
+    std::string cgns_output;           ///< as written in the file; empty when it names none
+    bool planar = true;                ///< no blocks and every point in z = 0
+    /// The greatest distance between vertices or sampled edge points: the scale of tolerances.
+    double size = 1;
+
+    bool is_3d() const { return !blocks.empty(); }
+    std::size_t cells() const {
+        std::size_t sum = 0;
+        if (is_3d()) {
+            for (const Block& b : blocks) sum += b.extent.cells();
+        } else {
+            for (const Face& f : faces) sum += f.extent().cells();
+        }
+        return sum;
+    }
+};
+
+}  // namespace hexweave
