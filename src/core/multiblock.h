@@ -29,6 +29,11 @@ struct Interface {
     Orientation orientation;
 };
 
+/// The node of the donor zone that node `n` of the interface's own zone falls on.
+inline Node donor_node(const Interface& interface, const Node& n) {
+    return map_node(interface.orientation, n, interface.box.begin, interface.donor_box.begin);
+}
+
 /// A boundary condition family: its name and the name of its CGNS BCType ("BCWallViscous").
 struct Family {
     std::string name;

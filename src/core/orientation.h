@@ -53,6 +53,9 @@ int determinant(const Orientation& o);
 /// The node of the other space, of extent `other`, that own node `n` falls on when the two spaces
 /// cover each other wholly.
 Node map_node(const Orientation& o, const Node& n, const Extent& other);
+/// The same when only a part of each space is shared: own node `begin` falls on `other_begin`
+/// (Begin1 and Begin2 of CGNS 1-to-1 connectivity).
+Node map_node(const Orientation& o, const Node& n, const Node& begin, const Node& other_begin);
 /// The extent that own space has when it covers `other` wholly.
 Extent own_extent(const Orientation& o, const Extent& other);
 /// The eight orientations of a face: third axis kept.
