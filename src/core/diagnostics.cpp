@@ -1,2 +1,248 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/diagnostics.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace hexweave {
+
+namespace {
+
+/// One character of a source line as it is shown: a tab stays a tab, a control character or a
+/// broken UTF-8 sequence becomes '?'.
+struct ShownCharacter {
+    std::string text;
+    int width = 1;  ///< terminal columns; a tab has -1
+};
+
+struct CodePoint {
+    std::uint32_t value = 0;
+    std::size_t bytes = 1;
+    bool valid = false;
+};
+
+CodePoint decode(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < 0x80) return {lead, 1, true};
+    const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 0;
+    if (bytes == 0 || text.size() < bytes) return {};
+    std::uint32_t value = lead & (0xFFU >> (bytes + 1));
+    for (std::size_t i = 1; i < bytes; ++i) {
+        const auto next = static_cast<unsigned char>(text[i]);
+        if ((next & 0xC0U) != 0x80U) return {};
+        value = (value << 6U) | (next & 0x3FU);
+    }
+    return {value, bytes, true};
+}
+
+/// Columns that a terminal gives to a character: none to combining marks, two to East Asian wide
+/// characters and emoji.
+int width_of(std::uint32_t c) {
+    using Range = std::pair<std::uint32_t, std::uint32_t>;
+    static constexpr std::array<Range, 5> none{
+        {{0x300, 0x36F}, {0x200B, 0x200F}, {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}, {0xFEFF, 0xFEFF}}};
+    static constexpr std::array<Range, 9> wide{{{0x1100, 0x115F},
+                                                {0x2E80, 0xA4CF},
+                                                {0xAC00, 0xD7A3},
+                                                {0xF900, 0xFAFF},
+                                                {0xFE30, 0xFE6F},
+                                                {0xFF00, 0xFF60},
+                                                {0xFFE0, 0xFFE6},
+                                                {0x1F300, 0x1FAFF},
+                                                {0x20000, 0x3FFFD}}};
+    const auto holds = [c](const Range& r) { return c >= r.first && c <= r.second; };
+    if (std::any_of(none.begin(), none.end(), holds)) return 0;
+    return std::any_of(wide.begin(), wide.end(), holds) ? 2 : 1;
+}
+
+ShownCharacter shown(std::string_view bytes, const CodePoint& c) {
+    if (c.value == '\t' && c.valid) return {"\t", -1};
+    const bool control = c.value < 0x20 || (c.value >= 0x7F && c.value < 0xA0);
+    if (!c.valid || control) return {"?", 1};
+    return {std::string(bytes.substr(0, c.bytes)), width_of(c.value)};
+}
+
+std::vector<ShownCharacter> characters(std::string_view line) {
+    std::vector<ShownCharacter> result;
+    while (!line.empty()) {
+        const CodePoint c = decode(line);
+        result.push_back(shown(line, c));
+        line.remove_prefix(c.bytes);
+    }
+    return result;
+}
+
+/// Line `number` of a text, counted from 1, without its line break or byte order mark.
+std::string_view line_of(std::string_view text, int number) {
+    if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+    for (int i = 1; i < number; ++i) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    return text;
+}
+
+/// Cuts a long line down to a window round the caret, so that a message stays a few lines.
+void cut_to_window(std::vector<ShownCharacter>& line, int& column) {
+    constexpr int window = 120;
+    constexpr int before = 60;
+    const ShownCharacter dots{"...", 3};
+    if (static_cast<int>(line.size()) <= window + before) return;
+    const int begin = std::clamp(column - before, 0, static_cast<int>(line.size()) - window);
+    if (begin + window < static_cast<int>(line.size())) {
+        line.resize(static_cast<std::size_t>(begin + window));
+        line.push_back(dots);
+    }
+    if (begin > 0) {
+        line.erase(line.begin(), line.begin() + begin);
+        line.insert(line.begin(), dots);
+        column -= begin - 1;
+    }
+}
+
+/// The source line and, where the column is known, the caret line under it.
+std::string excerpt(const Place& place) {
+    if (!place.file || place.line < 1) return {};
+    std::vector<ShownCharacter> line = characters(line_of(place.file->text, place.line));
+    int column = place.column;
+    cut_to_window(line, column);
+
+    std::string text;
+    for (const ShownCharacter& c : line) text += c.text;
+    text += '\n';
+    if (column < 1) return text;
+
+    std::string under;
+    const auto caret = static_cast<std::size_t>(column - 1);
+    for (std::size_t i = 0; i < std::min(caret, line.size()); ++i) {
+        under +=
+            line[i].width < 0 ? "\t" : std::string(static_cast<std::size_t>(line[i].width), ' ');
+    }
+    if (caret >= line.size()) return text + under + "^\n";
+    int columns = 0;
+    const auto length = static_cast<std::size_t>(std::max(1, place.length));
+    for (std::size_t i = caret; i < std::min(caret + length, line.size()); ++i) {
+        columns += std::abs(line[i].width);
+    }
+    return text + under + '^' +
+           std::string(static_cast<std::size_t>(std::max(1, columns) - 1), '~') + '\n';
+}
+
+/// `wing.yaml:42:9: ` as far as it is known.
+std::string prefix(const Place& place) {
+    if (!place.file) return {};
+    std::string text = place.file->name;
+    if (place.line > 0) text += ':' + std::to_string(place.line);
+    if (place.line > 0 && place.column > 0) text += ':' + std::to_string(place.column);
+    return text + ": ";
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// Insertions, deletions, substitutions and swaps of neighbours that lead from a to b.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    const std::size_t width = b.size() + 1;
+    std::vector<std::size_t> before(width);
+    std::vector<std::size_t> above(width);
+    std::vector<std::size_t> row(width);
+    for (std::size_t j = 0; j < width; ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::swap(before, above);
+        std::swap(above, row);
+        row[0] = i;
+        for (std::size_t j = 1; j < width; ++j) {
+            const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + change});
+            const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+Diagnostic& Diagnostics::error(Place place, std::string message, std::string hint) {
+    ++errors_;
+    all_.push_back({Severity::error, std::move(place), std::move(message), std::move(hint), {}});
+    return all_.back();
+}
+
+Diagnostic& Diagnostics::warning(Place place, std::string message, std::string hint) {
+    all_.push_back({Severity::warning, std::move(place), std::move(message), std::move(hint), {}});
+    return all_.back();
+}
+
+void Diagnostics::sort() {
+    std::vector<std::string> files;  // in the order in which they first appear
+    const auto rank = [&files](const Diagnostic& d) {
+        const std::string& name = d.place.file ? d.place.file->name : std::string();
+        const auto found = std::find(files.begin(), files.end(), name);
+        if (found == files.end()) files.push_back(name);
+        return found - files.begin();
+    };
+    for (const Diagnostic& d : all_) rank(d);
+    const auto key = [&rank](const Diagnostic& d) {
+        return std::tuple(rank(d), d.place.line, d.place.column);
+    };
+    const auto before = [&key](const Diagnostic& a, const Diagnostic& b) {
+        return key(a) < key(b);
+    };
+    std::stable_sort(all_.begin(), all_.end(), before);
+
+    std::vector<Diagnostic> kept;
+    for (Diagnostic& d : all_) {
+        const auto same = [&](const Diagnostic& k) {
+            return key(k) == key(d) && k.severity == d.severity && k.message == d.message;
+        };
+        if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(std::move(d));
+    }
+    all_ = std::move(kept);
+    errors_ = static_cast<int>(std::count_if(all_.begin(), all_.end(), [](const Diagnostic& d) {
+        return d.severity == Severity::error;
+    }));
+}
+
+std::string render(const Diagnostic& diagnostic) {
+    const char* severity = diagnostic.severity == Severity::error ? "error: " : "warning: ";
+    std::string text = prefix(diagnostic.place) + severity + diagnostic.message + '\n';
+    text += excerpt(diagnostic.place);
+    for (const Note& note : diagnostic.notes) {
+        text += prefix(note.place) + "note: " + note.message + '\n' + excerpt(note.place);
+    }
+    if (!diagnostic.hint.empty()) text += "  hint: " + diagnostic.hint + '\n';
+    return text;
+}
+
+std::string render(const Diagnostics& diagnostics) {
+    std::string text;
+    for (const Diagnostic& d : diagnostics.all()) text += render(d);
+    return text;
+}
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
+    std::string nearest;
+    std::size_t least = std::min<std::size_t>(name.size() / 3, 3) + 1;
+    for (const std::string& candidate : known) {
+        const std::size_t distance = edit_distance(lower_case(name), lower_case(candidate));
+        if (distance < least) {
+            least = distance;
+            nearest = candidate;
+        }
+    }
+    return nearest;
+}
+
+}  // namespace hexweave
