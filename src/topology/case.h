@@ -46,6 +46,7 @@ struct Parameter {
 struct CurveEntry {
     Name name;
     std::shared_ptr<const Curve> shape;
+    bool used_by_curve = false;  ///< another curve is a transform or a part of it
 };
 
 struct OnCurve {
