@@ -1,2 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/face_grid.h"
+
+#include "elliptic/elliptic_solver.h"
+#include "faces/face_boundary.h"
+#include "faces/folded_start.h"
+#include "faces/largest_first.h"
+#include "faces/straight_line_map.h"
+#include "faces/transfinite_face.h"
+
+namespace hexweave {
+
+namespace {
+
+void set_plane(PointField& points, const AxisPlane& plane) {
+    Field& coordinate = plane.axis == 0 ? points.x : plane.axis == 1 ? points.y : points.z;
+    coordinate = Field(points.extent(), plane.value);
+}
+
+FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool planar) {
+    FaceGrid grid;
+    grid.points = face_boundary(face, edges);
+    const ParameterField parameters = straight_line_map(grid.points);
+    interpolate_face(grid.points, parameters);
+    if (face.solve.method == Method::elliptic) {
+        if (face.solve.start_folded) fold_interior(grid.points);
+        grid.solve = solve_elliptic(grid.points, parameters,
+                                    {face.solve.tolerance, face.solve.maximum_iterations});
+    }
+    if (planar) set_plane(grid.points, {2, 0.0});
+    if (face.plane) set_plane(grid.points, *face.plane);
+    return grid;
+}
+
+}  // namespace
+
+std::vector<FaceGrid> make_faces(const Topology& topology, const std::vector<EdgeGrid>& edges,
+                                 const std::function<void()>& done) {
+    std::vector<std::size_t> sizes;
+    for (const Face& face : topology.faces) sizes.push_back(face.extent().nodes());
+    std::vector<FaceGrid> grids(topology.faces.size());
+    largest_first(sizes, done, [&](std::size_t index) {
+        grids[index] = make_face(topology.faces[index], edges, topology.planar);
+    });
+    return grids;
+}
+
+}  // namespace hexweave
