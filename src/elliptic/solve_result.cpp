@@ -1,2 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "elliptic/solve_result.h"
+
+namespace hexweave {
+
+const char* status_name(SolveStatus status) {
+    switch (status) {
+        case SolveStatus::algebraic:
+            return "algebraic";
+        case SolveStatus::converged:
+            return "converged";
+        case SolveStatus::not_converged:
+            return "not converged";
+        case SolveStatus::diverged:
+            return "diverged";
+    }
+    return "unknown";
+}
+
+}  // namespace hexweave

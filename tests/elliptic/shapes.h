@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boundaries, parameters and start grids for the tests of the elliptic solver, made without the
+// code under test, and the difference of two grids in cells.
+#pragma once
+
+#include <functional>
+
+#include "core/field.h"
+#include "elliptic/elliptic_solver.h"
+
+namespace hexweave::shapes {
+
+/// A face or block as the solver is given it.
+struct Problem {
+    PointField points;
+    ParameterField parameters;
+};
+
+/// A map of the unit square or cube of index fractions (i / (ni - 1), ...).
+using Map = std::function<Vec3(double xi, double eta, double zeta)>;
+/// The same of a point of the unit cube, to a point of it.
+using Stretching = std::function<double(double)>;
+
+/// The map at every node.
+PointField sample(const Extent& extent, const Map& map);
+ParameterField sample_parameters(const Extent& extent, const Map& map);
+
+/// Normalized arc length on the edges of a face, the straight-line map inside.
+ParameterField straight_line_parameters(const PointField& points);
+/// Interior nodes by transfinite interpolation with the parameters as blending coordinates.
+void interpolate(PointField& points, const ParameterField& parameters);
+/// Interior nodes anywhere in the box from `low` to `high`, in no order (the same every time).
+void scatter(PointField& points, const Vec3& low, const Vec3& high);
+
+/// n + 1 positions from 0 to 1 with geometrically growing intervals, the first one `first`.
+std::vector<double> geometric(int n, double first);
+
+/// The region above a meandering wall with overhangs of `angle` radians: points thick at the wall
+/// (first cell 1e-4 of the height), interior by transfinite interpolation.
+Problem meander(int ni, int nj, double angle);
+/// A cube with deeply waved faces, uniform, `n` nodes along each axis; interior by transfinite
+/// interpolation.
+Problem wavy_cube(int n);
+/// Folds the interior of a block: large smooth displacements that vanish on its boundary.
+void fold(Problem& problem);
+
+/// The largest distance of two grids at interior nodes over the shortest of the node's grid lines
+/// to its neighbours in `reference`: in cells, and never fewer than along any axis.
+double difference_in_cells(const PointField& grid, const PointField& reference);
+
+}  // namespace hexweave::shapes
