@@ -1,2 +1,249 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
 #include "io/cgns.h"
+#include "io/cgns_interface.h"
+#include "io/cgns_library.h"
+#include "io/cgns_rewrite.h"
+#include "io/output_files.h"
+
+namespace hexweave {
+namespace {
+
+// Families of type "UserDefined" or "UserDefined:NAME" carry NAME (else their own) in a child node,
+// which says to a solver what is meant ("BCOverset").
+const std::string user_defined = "UserDefined";
+
+bool is_user_defined(const std::string& type) {
+    return type == user_defined || type.starts_with(user_defined + ":");
+}
+
+[[noreturn]] void cannot_hold(const std::string& fact) {
+    throw UsageError(fmt::format("a CGNS file cannot hold this grid: {}", fact));
+}
+
+/// One list of names under the base of a CGNS file: zones, families and the base's own nodes.
+void check_names(const MultiblockGrid& grid) {
+    std::set<std::string> taken{title_descriptor, provenance_descriptor, "DataClass",
+                                "DimensionalUnits"};
+    const auto take = [&](const std::string& what, const std::string& name) {
+        if (name.empty() || name.size() > longest_cgns_name ||
+            name.find('/') != std::string::npos) {
+            cannot_hold(fmt::format("the name of {} '{}' must have 1 to {} bytes and no '/'", what,
+                                    name, longest_cgns_name));
+        }
+        if (!taken.insert(name).second) {
+            cannot_hold(fmt::format(
+                "the name of {} '{}' is taken; zones and families share one list of names", what,
+                name));
+        }
+    };
+    for (const Zone& zone : grid.zones) take("zone", zone.name);
+    for (const Family& family : grid.families) {
+        take("family", family.name);
+        if (!is_user_defined(family.type) && !boundary_type(family.type)) {
+            cannot_hold(fmt::format("family '{}' has the type '{}', which CGNS does not know",
+                                    family.name, family.type));
+        }
+    }
+    if (!grid.units.empty() && !length_unit(grid.units)) {
+        cannot_hold(fmt::format("CGNS has no unit '{}' (it has m, cm, mm, ft, in)", grid.units));
+    }
+}
+
+/// A name not yet in `taken`, to which it is added: `wanted` cut to what CGNS allows, numbered when
+/// it is taken.
+std::string unique_name(const std::string& wanted, std::set<std::string>& taken) {
+    std::string name = wanted.substr(0, longest_cgns_name);
+    for (int number = 2; name.empty() || !taken.insert(name).second; ++number) {
+        const std::string ending = fmt::format("_{}", number);
+        name = wanted.substr(0, longest_cgns_name - ending.size()) + ending;
+    }
+    return name;
+}
+
+using Range = std::array<cgsize_t, 6>;
+
+/// The nodes of a box as CGNS counts them: from 1, all of begin, then all of end.
+Range point_range(const IndexBox& box, int dimension) {
+    Range range{};
+    for (int axis = 0; axis < dimension; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        range[a] = box.begin[a] + 1;
+        range[a + static_cast<std::size_t>(dimension)] = box.end[a] + 1;
+    }
+    return range;
+}
+
+class Writer {
+public:
+    Writer(const MultiblockGrid& grid, const std::filesystem::path& path,
+           const std::filesystem::path& shown)
+        : grid_(grid), shown_(shown), file_(path, CG_MODE_WRITE) {
+        if (!file_.is_open()) fail();
+        errors_.listen();
+    }
+
+    void write() {
+        write_base();
+        for (const Family& family : grid_.families) write_family(family);
+        zone_numbers_.resize(grid_.zones.size());
+        for (std::size_t zone = 0; zone < grid_.zones.size(); ++zone) {
+            write_zone(grid_.zones[zone], zone_numbers_[zone]);
+        }
+        write_interfaces();
+        write_patches();
+        if (!file_.close()) fail();
+    }
+
+private:
+    [[noreturn]] void fail() const {
+        throw MachineError(
+            fmt::format("cannot write '{}': {}", shown_.string(), errors_.reason(cg_get_error())));
+    }
+
+    /// Every function of libcgns answers with zero when it succeeds.
+    void check(int answer) const {
+        if (answer != CG_OK) fail();
+    }
+
+    /// Class and units, on the base and again on each coordinate array: some readers look at only
+    /// one of the two places.
+    void write_units() const {
+        const auto unit = length_unit(grid_.units);
+        check(cg_dataclass_write(unit ? Dimensional : NormalizedByUnknownDimensional));
+        if (unit) check(cg_units_write(Kilogram, *unit, Second, Kelvin, Radian));
+    }
+
+    void write_base() {
+        check(cg_base_write(file_, base_name, grid_.cell_dimension, grid_.physical_dimension,
+                            &base_));
+        check(cg_goto(file_, base_, "end"));
+        if (!grid_.title.empty()) check(cg_descriptor_write(title_descriptor, grid_.title.c_str()));
+        if (!grid_.provenance.empty()) {
+            check(cg_descriptor_write(provenance_descriptor, grid_.provenance.c_str()));
+        }
+        write_units();
+    }
+
+    void write_family(const Family& family) const {
+        int number = 0;
+        int condition = 0;
+        check(cg_family_write(file_, base_, family.name.c_str(), &number));
+        const bool own_type = is_user_defined(family.type);
+        const BCType_t type = own_type ? BCTypeUserDefined : *boundary_type(family.type);
+        check(cg_fambc_write(file_, base_, number, "FamBC", type, &condition));
+        if (!own_type) return;
+        const std::string meaning =
+            family.type.size() > user_defined.size() + 1
+                ? family.type.substr(user_defined.size() + 1, longest_cgns_name)
+                : family.name;
+        check(cg_goto(file_, base_, "Family_t", number, "end"));
+        check(cg_user_data_write(meaning.c_str()));
+    }
+
+    // No FamilyName on the zone itself: a solver that finds one wants a family of volumes.
+    void write_zone(const Zone& zone, int& number) const {
+        const Extent& extent = zone.points.extent();
+        std::array<cgsize_t, 9> size{};
+        const auto dimension = static_cast<std::size_t>(grid_.cell_dimension);
+        for (std::size_t axis = 0; axis < dimension; ++axis) {
+            size[axis] = extent[static_cast<int>(axis)];
+            size[axis + dimension] = extent[static_cast<int>(axis)] - 1;
+        }
+        check(cg_zone_write(file_, base_, zone.name.c_str(), size.data(), Structured, &number));
+        write_coordinate(number, "CoordinateX", zone.points.x);
+        write_coordinate(number, "CoordinateY", zone.points.y);
+        if (grid_.physical_dimension == 3) write_coordinate(number, "CoordinateZ", zone.points.z);
+    }
+
+    void write_coordinate(int zone, const char* name, const Field& values) const {
+        int number = 0;
+        check(cg_coord_write(file_, base_, zone, RealDouble, name, values.data(), &number));
+        check(cg_goto(file_, base_, "Zone_t", zone, "GridCoordinates_t", 1, "DataArray_t", number,
+                      "end"));
+        write_units();
+        if (grid_.units.empty()) return;
+        const std::array<double, 5> length{0, 1, 0, 0, 0};
+        check(cg_exponents_write(RealDouble, length.data()));
+    }
+
+    void write_interfaces() const {
+        std::vector<std::set<std::string>> taken(grid_.zones.size());
+        for (const Interface& interface : grid_.interfaces) {
+            write_interface_side(interface, taken);
+            write_interface_side(other_side(interface), taken);
+        }
+    }
+
+    void write_interface_side(const Interface& side,
+                              std::vector<std::set<std::string>>& taken) const {
+        const auto zone = static_cast<std::size_t>(side.zone);
+        const std::string name = unique_name(side.name, taken[zone]);
+        const Range own = point_range(side.box, grid_.cell_dimension);
+        const Range donor = point_range(side.donor_box, grid_.cell_dimension);
+        int number = 0;
+        check(cg_1to1_write(file_, base_, zone_numbers_[zone], name.c_str(),
+                            grid_.zones[static_cast<std::size_t>(side.donor)].name.c_str(),
+                            own.data(), donor.data(), side.orientation.axes.data(), &number));
+    }
+
+    void write_patches() const {
+        std::vector<std::set<std::string>> taken(grid_.zones.size());
+        for (const BoundaryPatch& patch : grid_.patches) {
+            const auto index = static_cast<std::size_t>(patch.zone);
+            const int zone = zone_numbers_[index];
+            const std::string name = unique_name(patch.name, taken[index]);
+            const Range range = point_range(patch.box, grid_.cell_dimension);
+            int number = 0;
+            check(cg_boco_write(file_, base_, zone, name.c_str(), FamilySpecified, PointRange, 2,
+                                range.data(), &number));
+            check(cg_boco_gridlocation_write(file_, base_, zone, number, Vertex));
+            check(cg_goto(file_, base_, "Zone_t", zone, "ZoneBC_t", 1, "BC_t", number, "end"));
+            check(cg_famname_write(
+                grid_.families[static_cast<std::size_t>(patch.family)].name.c_str()));
+        }
+    }
+
+    const MultiblockGrid& grid_;
+    std::filesystem::path shown_;
+    Hdf5Errors errors_;
+    CgnsFile file_;
+    int base_ = 0;
+    std::vector<int> zone_numbers_;
+};
+
+/// libcgns counts the nodes of a zone in 32 bits, and does not say when they overflow.
+void check_sizes(const MultiblockGrid& grid, const std::filesystem::path& shown) {
+    for (const Zone& zone : grid.zones) {
+        const std::size_t nodes = zone.points.extent().nodes();
+        if (nodes > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+            throw MachineError(
+                fmt::format("cannot write '{}': zone '{}' has {} nodes, more than the 2147483647 "
+                            "that libcgns can "
+                            "count",
+                            shown.string(), zone.name, nodes));
+        }
+    }
+}
+
+}  // namespace
+
+void write_cgns(const MultiblockGrid& grid, const std::filesystem::path& path,
+                const std::filesystem::path& shown) {
+    const std::filesystem::path& known_as = shown.empty() ? path : shown;
+    check_names(grid);
+    check_sizes(grid, known_as);
+    const TemporaryFile tree(path, known_as);
+    Writer(grid, tree.path(), known_as).write();
+    rewrite_cgns_tree(tree.path(), path, known_as);
+}
+
+}  // namespace hexweave

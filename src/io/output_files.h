@@ -10,31 +10,61 @@
 
 namespace hexweave {
 
+/// A file that is removed when this object ends, and when a signal ends the process.
+class TemporaryFile {
+public:
+    /// Creates an empty file `.NAME.tmp.PID` in the folder of `neighbour`, whose file name is NAME.
+    /// Throws MachineError in the name of `shown`, the path as the user knows it.
+    TemporaryFile(const std::filesystem::path& neighbour, const std::filesystem::path& shown);
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile(TemporaryFile&& other) noexcept;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(TemporaryFile&&) = delete;
+    ~TemporaryFile();
+
+    const std::filesystem::path& path() const { return path_; }
+    /// The file is no longer temporary: it has been renamed.
+    void release();
+
+private:
+    std::filesystem::path path_;
+    int slot_ = -1;  ///< place in the table that the signal handler reads; -1: none
+};
+
 class OutputFiles {
 public:
-    OutputFiles() = default;
-    OutputFiles(const OutputFiles&) = delete;
-    OutputFiles& operator=(const OutputFiles&) = delete;
-    /// Removes what was not committed.
-    ~OutputFiles();
-
-    /// The temporary path to write `final_path` to. Throws MachineError, naming the path and the
-    /// reason, when its folder is missing or not writable, or when the path is a folder.
+    /// The temporary path to write `final_path` to. A link is followed: the file that it points to
+    /// gets replaced, the link stays. Throws MachineError, naming the path and the reason, when its
+    /// folder is missing or not writable, when the path is a folder or a device, or when an
+    /// existing file may not be written; UsageError when the same file is staged twice.
     std::filesystem::path stage(const std::filesystem::path& final_path);
-    /// Flushes every staged file to the disk and renames all of them into place. Throws
-    /// MachineError and leaves no final path changed when a flush fails.
+
+    /// Flushes every staged file to the disk, renames all of them into place and flushes their
+    /// folders. Throws MachineError when one of these steps fails; no final path has changed then.
+    ///
+    /// What is guaranteed: each single file is replaced in one step, whatever happens. Several
+    /// files are replaced together unless the machine stops or the process is killed (SIGKILL)
+    /// between two renames; other signals wait. Taking back a rename that succeeded needs the
+    /// former file, kept as a hard link meanwhile; on a file system without hard links it cannot be
+    /// taken back.
     void commit();
 
 private:
     struct Staged {
-        std::filesystem::path temporary;
-        std::filesystem::path final_path;
+        TemporaryFile temporary;
+        std::filesystem::path given_path;  ///< as the user wrote it, for messages
+        std::filesystem::path final_path;  ///< links followed
     };
     std::vector<Staged> staged_;
 };
 
-/// Makes SIGINT, SIGTERM and SIGHUP remove the staged files before they end the process (which then
-/// ends by that signal: 130 or 143 in a shell). Called once, by main.
+/// Makes SIGINT, SIGTERM and SIGHUP remove the temporary files before they end the process (which
+/// then ends by that signal: 130 or 143 in a shell); one that is ignored, as under nohup, stays so.
+/// A file that exceeds the process's size limit becomes a MachineError instead of a signal. Called
+/// once, by main.
 void remove_staged_files_on_signals();
+
+/// The reason of a failed system call in lower case: "permission denied".
+std::string error_reason(int error_number);
 
 }  // namespace hexweave
