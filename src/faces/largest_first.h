@@ -13,10 +13,9 @@
 
 namespace hexweave {
 
-/// Calls task(index) for every index of `sizes`, the largest first, so that a big grid does not
-/// begin when all others are done. A grid that alone is more than a thread's share of the work runs
-/// by itself, with all threads inside it; the others run at once. `done` is called after each,
-/// never from two threads at once.
+/// Calls task(index) for every index of `sizes`, several at a time and the largest first, so that a
+/// big grid does not begin when all others are done. A single grid has all threads inside it.
+/// `done` is called after each, never from two threads at once.
 template <class Task>
 void largest_first(const std::vector<std::size_t>& sizes, const std::function<void()>& done,
                    Task&& task) {
@@ -31,13 +30,11 @@ void largest_first(const std::vector<std::size_t>& sizes, const std::function<vo
         const std::lock_guard lock(one_at_a_time);
         done();
     };
-    const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
-    const auto share = [&](std::size_t index) {
-        return sizes[index] * static_cast<std::size_t>(threads()) > total;
-    };
-    std::size_t alone = 0;
-    for (; alone < order.size() && share(order[alone]); ++alone) run(order[alone]);
-    parallel_for(order.size() - alone, [&](std::size_t n) { run(order[alone + n]); });
+    if (order.size() == 1) {
+        run(order.front());
+    } else {
+        parallel_for(order.size(), [&](std::size_t n) { run(order[n]); });
+    }
 }
 
 }  // namespace hexweave

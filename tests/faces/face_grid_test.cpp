@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "faces/face_boundary.h"
 #include "faces/hand_built.h"
@@ -88,5 +89,90 @@ TEST_CASE("faces come in the topology's order, whatever their size and the numbe
     for (std::size_t n = 0; n < 5; ++n) {
         CHECK(faces[n].points.extent() == built.topology.faces[n].extent());
         CHECK(faces[n].points(0, 0).x == 2.0 * static_cast<double>(n));
+    }
+}
+
+namespace {
+
+/// A square whose bottom is a wave with overhangs, and clustered towards it: transfinite
+/// interpolation folds.
+HandBuilt wavy_square() {
+    HandBuilt built;
+    built.method = Method::elliptic;
+    const int a = built.vertex({0, 0, 0}), b = built.vertex({1, 0, 0});
+    const int c = built.vertex({1, 1, 0}), d = built.vertex({0, 1, 0});
+    std::vector<Vec3> wave;
+    for (int n = 0; n <= 48; ++n) {
+        const double u = n / 48.0;
+        const double shift = 0.06 * std::sin(std::numbers::pi * u);
+        wave.push_back({u - shift * std::sin(8 * std::numbers::pi * u),
+                        0.25 * std::sin(4 * std::numbers::pi * u), 0});
+    }
+    built.edge(a, b, wave);
+    built.law = clustered(0.02);
+    built.between(a, d, 24);
+    built.between(b, c, 24);
+    built.law = identity_law;
+    built.quadrilateral({a, b, c, d}, 48, 24);
+    return built;
+}
+
+}  // namespace
+
+TEST_CASE("an elliptic face is sound where its start grid is folded, and planar stays planar") {
+    const HandBuilt built = wavy_square();
+    const auto faces = make_faces(built.topology, built.edges);
+    const SolveResult& solve = faces[0].solve;
+    CHECK(solve.status == SolveStatus::converged);
+    CHECK(solve.folded_before > 50);
+    CHECK(solve.folded_after == 0);
+    const PointField boundary = face_boundary(built.topology.faces[0], built.edges);
+    for (int j = 0; j <= 24; ++j) {
+        for (int i = 0; i <= 48; ++i) {
+            if (i == 0 || i == 48 || j == 0 || j == 24) {
+                CHECK(faces[0].points(i, j) == boundary(i, j));
+            }
+            CHECK(faces[0].points(i, j).z == 0);
+            CHECK_FALSE(std::signbit(faces[0].points(i, j).z));
+        }
+    }
+}
+
+TEST_CASE("an elliptic face does not depend on its start grid") {
+    HandBuilt built = wavy_square();
+    built.topology.faces[0].solve.tolerance = 1e-8;
+    const auto plain = make_faces(built.topology, built.edges);
+    built.topology.faces[0].solve.start_folded = true;
+    const auto folded = make_faces(built.topology, built.edges);
+    CHECK(plain[0].solve.status == SolveStatus::converged);
+    CHECK(folded[0].solve.status == SolveStatus::converged);
+    CHECK(folded[0].solve.folded_before > plain[0].solve.folded_before + 100);
+    // The smallest cells are about 1 / 24 * 0.02 high.
+    CHECK(greatest_distance(plain[0].points, folded[0].points) < 1e-6 * 0.02 / 24);
+}
+
+TEST_CASE("turning a face by a right angle turns its elliptic grid") {
+    const HandBuilt built = wavy_square();
+    HandBuilt turned = wavy_square();
+    Face& face = turned.topology.faces[0];
+    face.solve.tolerance = 1e-9;
+    // i' = j, j' = reversed i.
+    const auto reversed = [](std::vector<EdgeUse> side) {
+        for (EdgeUse& use : side) use.reversed = !use.reversed;
+        return side;
+    };
+    std::swap(face.cells_i, face.cells_j);
+    face.sides = {reversed(built.topology.faces[0].sides[2]),
+                  reversed(built.topology.faces[0].sides[3]), built.topology.faces[0].sides[1],
+                  built.topology.faces[0].sides[0]};
+    HandBuilt plain = wavy_square();
+    plain.topology.faces[0].solve.tolerance = 1e-9;
+    const auto one = make_faces(plain.topology, plain.edges);
+    const auto two = make_faces(turned.topology, turned.edges);
+    REQUIRE(two[0].solve.status == SolveStatus::converged);
+    for (int j = 0; j <= 24; ++j) {
+        for (int i = 0; i <= 48; ++i) {
+            CHECK(distance(one[0].points(i, j), two[0].points(j, 48 - i)) < 1e-10);
+        }
     }
 }
