@@ -1,2 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "blocks/block_grid.h"
+
+#include "blocks/bilinear_map.h"
+#include "blocks/block_boundary.h"
+#include "blocks/transfinite_block.h"
+#include "elliptic/elliptic_solver.h"
+#include "faces/folded_start.h"
+#include "faces/largest_first.h"
+
+namespace hexweave {
+
+namespace {
+
+BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces) {
+    BlockGrid grid;
+    grid.points = block_boundary(block, faces);
+    const ParameterField parameters = bilinear_map(grid.points);
+    interpolate_block(grid.points, parameters);
+    if (block.solve.method == Method::elliptic) {
+        if (block.solve.start_folded) fold_interior(grid.points);
+        grid.solve = solve_elliptic(grid.points, parameters,
+                                    {block.solve.tolerance, block.solve.maximum_iterations});
+    }
+    return grid;
+}
+
+}  // namespace
+
+std::vector<BlockGrid> make_blocks(const Topology& topology, const std::vector<FaceGrid>& faces,
+                                   const std::function<void()>& done) {
+    std::vector<std::size_t> sizes;
+    for (const Block& block : topology.blocks) sizes.push_back(block.extent.nodes());
+    std::vector<BlockGrid> grids(topology.blocks.size());
+    largest_first(sizes, done, [&](std::size_t index) {
+        grids[index] = make_block(topology.blocks[index], faces);
+    });
+    return grids;
+}
+
+}  // namespace hexweave
