@@ -2,9 +2,9 @@
 #include "elliptic/acceleration.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "core/assert.h"
 #include "elliptic/cell_units.h"
 
 namespace hexweave {
@@ -61,7 +61,9 @@ std::vector<double> solve_normal_equations(const Gram& gram, std::size_t first) 
 }  // namespace
 
 Acceleration::Acceleration(const NodeLattice& lattice, std::size_t window)
-    : lattice_(lattice), window_(window) {}
+    : lattice_(lattice), window_(window) {
+    HEXWEAVE_ASSERT(window > 0);
+}
 
 void Acceleration::restart() {
     point_changes_.clear();
@@ -79,17 +81,23 @@ std::vector<double> Acceleration::best_combination(const Nodes& points,
     return std::vector<double>(gram.size(), 0.0);
 }
 
-void Acceleration::accelerate(const Nodes& points, double damping, Nodes& step) {
-    if (has_last_) {
-        for (std::size_t p = 0; p < step.size(); ++p)
-            last_residual_[p] = step[p] - last_residual_[p];
-        if (point_changes_.size() == window_) {
-            point_changes_.erase(point_changes_.begin());
-            residual_changes_.erase(residual_changes_.begin());
-        }
-        point_changes_.push_back(std::move(last_step_));
-        residual_changes_.push_back(std::move(last_residual_));
+/// Adds the changes that the last step brought, in the place of the oldest when the window is full.
+void Acceleration::remember(const Nodes& residual) {
+    if (point_changes_.size() < window_) {
+        point_changes_.emplace_back(residual.size());
+        residual_changes_.emplace_back(residual.size());
+    } else {
+        std::rotate(point_changes_.begin(), point_changes_.begin() + 1, point_changes_.end());
+        std::rotate(residual_changes_.begin(), residual_changes_.begin() + 1,
+                    residual_changes_.end());
     }
+    std::swap(point_changes_.back(), last_step_);
+    Nodes& change = residual_changes_.back();
+    for (std::size_t p = 0; p < change.size(); ++p) change[p] = residual[p] - last_residual_[p];
+}
+
+void Acceleration::accelerate(const Nodes& points, double damping, Nodes& step) {
+    if (has_last_) remember(step);
     last_residual_ = step;
     const std::vector<double> g = best_combination(points, step);
     for (std::size_t p = 0; p < step.size(); ++p) {

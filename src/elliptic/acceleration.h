@@ -14,6 +14,7 @@ namespace hexweave {
 /// residuals f weighed in cells of the present grid.
 class Acceleration {
 public:
+    /// `window`: how many past steps are used, at least one.
     Acceleration(const NodeLattice& lattice, std::size_t window);
 
     /// Forgets the past: the next step is a plain one.
@@ -24,6 +25,7 @@ public:
     void accelerate(const Nodes& points, double damping, Nodes& step);
 
 private:
+    void remember(const Nodes& residual);
     std::vector<double> best_combination(const Nodes& points, const Nodes& residual) const;
 
     NodeLattice lattice_;

@@ -53,8 +53,9 @@ double largest_displacement(const NodeLattice& lattice, const Nodes& points,
         const CellFrame frame = cell_frame(lattice, points, p, least_sine_of_measure);
         const Vec3 c = frame.cells(displacement[p]);
         for (const double component : {c.x, c.y, c.z}) {
-            // Written so that NaN, which compares false with everything, is kept.
-            if (!(std::abs(component) <= largest)) largest = std::abs(component);
+            const double size = std::abs(component);
+            // NaN is kept: it compares false with whatever comes after it.
+            if (size > largest || std::isnan(size)) largest = size;
         }
     });
     return largest;

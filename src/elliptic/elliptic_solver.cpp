@@ -20,6 +20,9 @@ namespace {
 
 constexpr std::size_t acceleration_window = 5;
 
+/// Tighter linear solves do not save Picard steps, looser ones spoil the acceleration.
+constexpr LinearOptions linear_options{3e-2, 100};
+
 /// After so many steps without a smaller displacement than ever before, steps are shortened.
 constexpr int patience = 15;
 constexpr double shortening = 0.6;
@@ -104,7 +107,7 @@ private:
 double PicardIteration::picard_step() {
     assemble_stencils(lattice_, points_, parameters_, stencils_);
     apply_stencils(lattice_, stencils_, points_, residual_);
-    step_is_solved_ = linear_.solve(stencils_, residual_, LinearOptions{}, step_);
+    step_is_solved_ = linear_.solve(stencils_, residual_, linear_options, step_);
     return largest_displacement(lattice_, points_, step_);
 }
 

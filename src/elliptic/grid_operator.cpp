@@ -5,23 +5,28 @@ namespace hexweave {
 
 namespace {
 
+// The differences are the innermost loop of every linear solve: left to itself the compiler calls
+// some of them through memory, at a quarter of the whole time.
+
 /// v+ - v-, twice the central first difference.
-Vec3 first_difference(const Vec3* v, std::ptrdiff_t d) {
+[[gnu::always_inline]] inline Vec3 first_difference(const Vec3* v, std::ptrdiff_t d) {
     return v[d] - v[-d];
 }
 
 /// As a difference of differences: of strongly clustered parameters it keeps its digits.
-Vec3 second_difference(const Vec3* v, std::ptrdiff_t d) {
+[[gnu::always_inline]] inline Vec3 second_difference(const Vec3* v, std::ptrdiff_t d) {
     return (v[d] - v[0]) - (v[0] - v[-d]);
 }
 
 /// Four times the central mixed difference.
-Vec3 mixed_difference(const Vec3* v, std::ptrdiff_t d, std::ptrdiff_t e) {
+[[gnu::always_inline]] inline Vec3 mixed_difference(const Vec3* v, std::ptrdiff_t d,
+                                                    std::ptrdiff_t e) {
     return (v[d + e] - v[d - e]) - (v[e - d] - v[-d - e]);
 }
 
 template <int axes>
-Vec3 second_order_part(const Stencil& c, const Vec3* v, const Strides& d) {
+[[gnu::always_inline]] inline Vec3 second_order_part(const Stencil& c, const Vec3* v,
+                                                     const Strides& d) {
     Vec3 sum = c.second[0] * second_difference(v, d[0]) + c.second[1] * second_difference(v, d[1]) +
                c.mixed[0] * mixed_difference(v, d[0], d[1]);
     if constexpr (axes == 3) {
@@ -33,7 +38,8 @@ Vec3 second_order_part(const Stencil& c, const Vec3* v, const Strides& d) {
 }
 
 template <int axes>
-Vec3 whole_operator(const Stencil& c, const Vec3* v, const Strides& d) {
+[[gnu::always_inline]] inline Vec3 whole_operator(const Stencil& c, const Vec3* v,
+                                                  const Strides& d) {
     Vec3 sum = second_order_part<axes>(c, v, d) + c.first[0] * first_difference(v, d[0]) +
                c.first[1] * first_difference(v, d[1]);
     if constexpr (axes == 3) sum += c.first[2] * first_difference(v, d[2]);

@@ -149,7 +149,8 @@ void solve_rows(const NodeLattice& lattice, const Entry* rows, const Nodes& righ
     for_interior_backwards(lattice, [&](std::size_t p) {
         const Entry* row = rows + p * row_size<axes>;
         Vec3 sum = result[p];
-        for (std::size_t e = half + 1; e < row_size<axes>; ++e) {
+        // The neighbour solved just before comes last, so that the processor need not wait for it.
+        for (std::size_t e = row_size<axes> - 1; e > half; --e) {
             sum -= row[e] * (result.data() + p)[offsets[e]];
         }
         result[p] = row[half] * sum;

@@ -8,8 +8,8 @@
 namespace hexweave {
 
 struct LinearOptions {
-    double reduction = 1e-2;  ///< of the residual
-    int maximum_iterations = 100;
+    double reduction;  ///< of the residual
+    int maximum_iterations;
 };
 
 /// Preconditioned BiCGSTAB [van der Vorst 1992]. The three components are one system with one set

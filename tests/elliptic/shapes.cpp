@@ -190,6 +190,31 @@ void fold(Problem& problem) {
     });
 }
 
+Vec3 leaning(double xi, double eta, double zeta) {
+    const double bump = std::sin(pi * xi) * std::sin(pi * eta);
+    return {xi * (0.6 + 0.4 * xi) + 0.05 * bump * (1 + zeta), eta + 0.1 * bump * std::cos(zeta),
+            zeta * (1.3 - 0.3 * zeta) + 0.05 * std::sin(pi * zeta) * (xi - eta)};
+}
+
+Vec3 annulus(const Vec3& s) {
+    const double r = std::pow(3.0, s.x);
+    return {r * std::cos(pi * s.y / 2), r * std::sin(pi * s.y / 2), s.z};
+}
+
+std::vector<Vec3> nodes_of(const PointField& points) {
+    std::vector<Vec3> nodes;
+    for (std::size_t p = 0; p < points.extent().nodes(); ++p) nodes.push_back(points[p]);
+    return nodes;
+}
+
+std::vector<Vec3> nodes_of(const ParameterField& parameters) {
+    std::vector<Vec3> nodes;
+    for (std::size_t p = 0; p < parameters.s.extent().nodes(); ++p) {
+        nodes.push_back({parameters.s[p], parameters.t[p], parameters.u[p]});
+    }
+    return nodes;
+}
+
 double difference_in_cells(const PointField& grid, const PointField& reference) {
     const Extent e = grid.extent();
     double largest = 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "core/field.h"
 #include "elliptic/elliptic_solver.h"
@@ -18,9 +19,6 @@ struct Problem {
 
 /// A map of the unit square or cube of index fractions (i / (ni - 1), ...).
 using Map = std::function<Vec3(double xi, double eta, double zeta)>;
-/// The same of a point of the unit cube, to a point of it.
-using Stretching = std::function<double(double)>;
-
 /// The map at every node.
 PointField sample(const Extent& extent, const Map& map);
 ParameterField sample_parameters(const Extent& extent, const Map& map);
@@ -43,6 +41,19 @@ Problem meander(int ni, int nj, double angle);
 Problem wavy_cube(int n);
 /// Folds the interior of a block: large smooth displacements that vanish on its boundary.
 void fold(Problem& problem);
+
+/// A one-to-one map of the unit square (cube) onto itself that is neither uniform nor a product:
+/// grid lines lean, intervals grow, mixed derivatives do not vanish.
+Vec3 leaning(double xi, double eta, double zeta);
+
+/// Annulus sector between radii 1 and 3, a quarter turn, one high: s = log r / log 3, t and u are
+/// harmonic, so (xi, eta, zeta) -> annulus(leaning(...)) solves the grid equations of parameters
+/// leaning(...) exactly. Planar for u = 0.
+Vec3 annulus(const Vec3& s);
+
+/// Every node of the grid as the solver sees it.
+std::vector<Vec3> nodes_of(const PointField& points);
+std::vector<Vec3> nodes_of(const ParameterField& parameters);
 
 /// The largest distance of two grids at interior nodes over the shortest of the node's grid lines
 /// to its neighbours in `reference`: in cells, and never fewer than along any axis.
