@@ -99,7 +99,7 @@ void cut_to_window(std::vector<ShownCharacter>& line, int& column) {
     if (static_cast<int>(line.size()) <= window + before) return;
     const int begin = std::clamp(column - before, 0, static_cast<int>(line.size()) - window);
     if (begin + window < static_cast<int>(line.size())) {
-        line.resize(static_cast<std::size_t>(begin + window));
+        line.erase(line.begin() + begin + window, line.end());
         line.push_back(dots);
     }
     if (begin > 0) {
