@@ -1,2 +1,170 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/read_case.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "topology/read_curves.h"
+#include "topology/read_entries.h"
+#include "topology/read_parameters.h"
+#include "topology/read_values.h"
+#include "topology/yaml_tree.h"
+
+namespace hexweave {
+
+namespace {
+
+const Keys& case_keys() {
+    static const Keys keys{"hexweave",   "title",    "units",  "parameters", "curves",
+                           "surfaces",   "vertices", "edges",  "faces",      "blocks",
+                           "boundaries", "periodic", "solver", "output"};
+    return keys;
+}
+
+const std::vector<RefusedKey>& later_keys() {
+    static const std::vector<RefusedKey> keys{
+        {"include", "including other files is not in this version yet", ""},
+        {"components", "components are not in this version yet", ""},
+        {"level", "grid levels are not in this version yet", "give the cell counts by parameters"}};
+    return keys;
+}
+
+/// [Fowler, Noll & Vo], 64 bits: enough to tell one config from another.
+std::uint64_t fnv1a64(const std::string& text) {
+    std::uint64_t hash = 0xCBF29CE484222325U;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+    return hash;
+}
+
+std::string provenance_of(const SourceFile& source, const std::vector<Override>& overrides) {
+    std::string text =
+        fmt::format("hexweave {}; config fnv1a64:{:016x}", HEXWEAVE_VERSION, fnv1a64(source.text));
+    for (const Override& o : overrides) text += fmt::format("; set {}={}", o.name, o.expression);
+    return text;
+}
+
+/// Whether the file is of the one format that there is.
+bool check_version(Reading& reading, const YamlNode& root) {
+    const YamlNode* version = root.find("hexweave");
+    if (version == nullptr) {
+        reading.diagnostics.error({reading.source, 0, 0, 1}, "the key 'hexweave' is missing",
+                                  "a case begins with the version of its format, 'hexweave: 1'");
+        return true;
+    }
+    if (version->is_scalar() && version->text == "1") return true;
+    reading.diagnostics.error(
+        version->place,
+        fmt::format("the version of the format must be 1, not {}", describe(*version)));
+    return !version->is_scalar();
+}
+
+/// A section that is a mapping of names; null where there is none or it is empty.
+const YamlNode* section_of(Reading& reading, const YamlNode& root, std::string_view key) {
+    const YamlNode* section = root.find(key);
+    if (section == nullptr || section->is_null() || section->is_mapping()) {
+        return section != nullptr && section->is_mapping() ? section : nullptr;
+    }
+    reading.diagnostics.error(section->place, fmt::format("'{}' must be a mapping of names, not {}",
+                                                          key, describe(*section)));
+    return nullptr;
+}
+
+/// Sections of the format that this version cannot read must be empty.
+void refuse_section(Reading& reading, const YamlNode& root, std::string_view key) {
+    const YamlNode* section = root.find(key);
+    if (section == nullptr || section->is_null()) return;
+    if (section->is_mapping() && section->children.empty()) return;
+    reading.diagnostics.error(section->key_place,
+                              fmt::format("'{}' come with a later version", key),
+                              "leave the section out");
+}
+
+void read_title_and_units(Reading& reading, const YamlNode& root, Case& c) {
+    if (const YamlNode* title = root.find("title")) {
+        c.title = read_text(reading, *title, "'title'").value_or("");
+    }
+    if (const YamlNode* units = root.find("units")) {
+        const Keys known{"m", "mm", "cm", "in", "ft"};
+        const auto choice = read_choice(reading, *units, "'units'", known);
+        if (choice) c.units = known[*choice];
+    }
+}
+
+void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
+    const YamlNode* node = section_of(reading, root, "solver");
+    if (node == nullptr) return;
+    expect_mapping(reading, *node, "'solver'", {"tolerance", "maximum_iterations", "start"});
+    if (const YamlNode* tolerance = node->find("tolerance")) {
+        solver.tolerance =
+            read_positive(reading, *tolerance, "'tolerance'").value_or(solver.tolerance);
+    }
+    if (const YamlNode* maximum = node->find("maximum_iterations")) {
+        solver.maximum_iterations = read_count(reading, *maximum, "'maximum_iterations'")
+                                        .value_or(solver.maximum_iterations);
+    }
+    if (const YamlNode* start = node->find("start")) {
+        const auto choice = read_choice(reading, *start, "'start'", {"transfinite", "folded"});
+        solver.start_folded = choice && *choice == 1;
+    }
+}
+
+std::optional<Name> read_output(Reading& reading, const YamlNode& root) {
+    const YamlNode* node = section_of(reading, root, "output");
+    if (node == nullptr) return std::nullopt;
+    const std::string_view later = "this version writes CGNS only";
+    expect_mapping(
+        reading, *node, "'output'", {"cgns"},
+        {{"plot3d", later, "write cgns: FILE.cgns"}, {"vtk", later, "write cgns: FILE.cgns"}});
+    const YamlNode* path = node->find("cgns");
+    if (path == nullptr) return std::nullopt;
+    const auto text = read_text(reading, *path, "'cgns'");
+    if (!text) return std::nullopt;
+    return Name{*text, path->place};
+}
+
+template <class Entry>
+void read_into(std::vector<Entry>& entries, Reading& reading, const YamlNode& root,
+               std::string_view key, std::vector<Entry> (*read)(Reading&, const YamlNode&)) {
+    const YamlNode* section = section_of(reading, root, key);
+    if (section != nullptr) entries = read(reading, *section);
+}
+
+}  // namespace
+
+Case read_case(const std::shared_ptr<const SourceFile>& source,
+               const std::vector<Override>& overrides, Diagnostics& diagnostics) {
+    Case c;
+    c.source = source;
+    c.provenance = provenance_of(*source, overrides);
+    const std::optional<YamlNode> root = read_yaml(source, diagnostics);
+    if (!root) return c;
+
+    Reading reading{diagnostics, source, {}};
+    if (!root->is_mapping()) {
+        diagnostics.error(root->place,
+                          fmt::format("a case must be a mapping, not {}", describe(*root)),
+                          "it begins with 'hexweave: 1'");
+        return c;
+    }
+    if (!check_version(reading, *root)) return c;
+    expect_mapping(reading, *root, "a case", case_keys(), later_keys());
+    refuse_section(reading, *root, "surfaces");
+    refuse_section(reading, *root, "periodic");
+    read_title_and_units(reading, *root, c);
+    c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
+    read_into(c.curves, reading, *root, "curves", read_curves);
+    read_into(c.vertices, reading, *root, "vertices", read_vertices);
+    read_into(c.edges, reading, *root, "edges", read_edges);
+    read_into(c.faces, reading, *root, "faces", read_faces);
+    read_into(c.blocks, reading, *root, "blocks", read_blocks);
+    read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
+    read_solver(reading, *root, c.solver);
+    c.cgns_output = read_output(reading, *root);
+    if (!diagnostics.has_errors()) warn_unused_parameters(reading, c.parameters);
+    return c;
+}
+
+}  // namespace hexweave

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices and edges.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "topology/read_entries.h"
+#include "topology/read_spacing.h"
+
+namespace hexweave {
+
+namespace {
+
+std::variant<Vec3, OnCurve> read_place(Reading& reading, const YamlNode& entry,
+                                       const std::string& what) {
+    const OnCurve faulty{{{}, entry.place}, 0};
+    if (entry.is_sequence()) {
+        const auto point = read_point(reading, entry, what);
+        if (point) return *point;
+        return faulty;
+    }
+    if (!entry.is_mapping()) {
+        reading.diagnostics.error(entry.is_null() ? entry.key_place : entry.place,
+                                  fmt::format("{} must be a point, not {}", what, describe(entry)),
+                                  "write [x, y], [x, y, z] or {curve: NAME, at: FRACTION}");
+        return faulty;
+    }
+    const bool on_surface = entry.find("surface") != nullptr;
+    expect_mapping(reading, entry, what, {"curve", "at"},
+                   {{"surface", "surfaces come with a later version", ""}});
+    if (on_surface) return faulty;
+    const YamlNode* curve = require(reading, entry, "curve", what);
+    const YamlNode* at = require(reading, entry, "at", what);
+    Name name;
+    if (curve != nullptr) name = read_name(reading, *curve, "'curve'");
+    const auto fraction = at == nullptr ? std::nullopt : read_number(reading, *at, "'at'");
+    if (name.value.empty() || !fraction) return faulty;
+    if (*fraction >= 0 && *fraction <= 1) return OnCurve{std::move(name), *fraction};
+    reading.diagnostics.error(at->place,
+                              fmt::format("'at' must lie between 0 and 1, not be {}", *fraction),
+                              "it is a fraction of the curve's arc length");
+    return faulty;
+}
+
+/// The name under a key that must be there; empty where it is faulty.
+Name read_required_name(Reading& reading, const YamlNode& entry, std::string_view key,
+                        const std::string& what) {
+    const YamlNode* node = require(reading, entry, key, what);
+    return node == nullptr ? Name{{}, entry.key_place}
+                           : read_name(reading, *node, fmt::format("'{}'", key));
+}
+
+EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
+    const std::string what = fmt::format("edge '{}'", shown(node.key));
+    EdgeEntry edge;
+    edge.name = edge.from = edge.to = {{}, node.key_place};
+    edge.name.value = node.key;
+    if (node.find("at") != nullptr && node.find("from") == nullptr) {
+        reading.diagnostics.error(node.find("at")->key_place,
+                                  "poles, edges that are one vertex, are not in this version yet");
+        return edge;
+    }
+    const Keys keys{"from", "to", "along", "through", "cells", "spacing"};
+    if (!expect_mapping(reading, node, what, keys,
+                        {{"heights", "'heights' are not in this version yet",
+                          "give a spacing with 'start', 'end' or 'positions'"}})) {
+        return edge;
+    }
+    edge.from = read_required_name(reading, node, "from", what);
+    edge.to = read_required_name(reading, node, "to", what);
+    if (const YamlNode* along = node.find("along")) {
+        edge.along = read_name(reading, *along, "'along'");
+    }
+    if (const YamlNode* through = node.find("through")) {
+        const auto point = read_point(reading, *through, "'through'");
+        if (point) edge.through = {*point, through->place};
+        if (!point) edge.from.value.clear();
+    }
+    if (const YamlNode* cells = node.find("cells")) {
+        const auto count = read_count(reading, *cells, "'cells'");
+        if (count) edge.cells = {*count, cells->place};
+        if (!count) edge.from.value.clear();
+    }
+    if (const YamlNode* spacing = node.find("spacing")) {
+        auto law = read_spacing(reading, *spacing);
+        if (law) edge.spacing = {std::move(*law), spacing->place};
+    }
+    return edge;
+}
+
+}  // namespace
+
+std::vector<VertexEntry> read_vertices(Reading& reading, const YamlNode& section) {
+    std::vector<VertexEntry> vertices;
+    for (const YamlNode& entry : section.children) {
+        check_new_name(reading, entry, "vertex");
+        const std::string what = fmt::format("vertex '{}'", shown(entry.key));
+        vertices.push_back({{entry.key, entry.key_place}, read_place(reading, entry, what)});
+    }
+    return vertices;
+}
+
+std::vector<EdgeEntry> read_edges(Reading& reading, const YamlNode& section) {
+    std::vector<EdgeEntry> edges;
+    for (const YamlNode& entry : section.children) {
+        check_new_name(reading, entry, "edge");
+        edges.push_back(read_edge(reading, entry));
+    }
+    return edges;
+}
+
+}  // namespace hexweave

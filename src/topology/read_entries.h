@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sections of a file that name things: vertices, edges, faces, blocks, boundaries. Each gives
+// an entry for every key, in order. What could not be read of an entry is an empty name (a faulty
+// vertex lies on a curve without a name), so that its own name still stands.
+#pragma once
+
+#include <vector>
+
+#include "topology/case.h"
+#include "topology/read_values.h"
+
+namespace hexweave {
+
+std::vector<VertexEntry> read_vertices(Reading& reading, const YamlNode& section);
+std::vector<EdgeEntry> read_edges(Reading& reading, const YamlNode& section);
+std::vector<FaceEntry> read_faces(Reading& reading, const YamlNode& section);
+std::vector<BlockEntry> read_blocks(Reading& reading, const YamlNode& section);
+std::vector<BoundaryEntry> read_boundaries(Reading& reading, const YamlNode& section);
+
+}  // namespace hexweave

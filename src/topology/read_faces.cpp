@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faces, blocks and boundaries.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "topology/read_entries.h"
+
+namespace hexweave {
+
+namespace {
+
+/// What CGNS names of zones and families can hold.
+constexpr std::size_t longest_cgns_name = 32;
+
+Keys keys_of_sides(int count) {
+    Keys keys;
+    for (int side = 0; side < count; ++side) keys.push_back(side_name(static_cast<Side>(side)));
+    return keys;
+}
+
+MethodEntry read_method(Reading& reading, const YamlNode& node) {
+    MethodEntry how;
+    if (const YamlNode* method = node.find("method")) {
+        const auto choice = read_choice(reading, *method, "'method'", {"elliptic", "algebraic"});
+        if (choice && *choice == 1) how.method = Method::algebraic;
+    }
+    if (const YamlNode* tolerance = node.find("tolerance")) {
+        how.tolerance = read_positive(reading, *tolerance, "'tolerance'");
+    }
+    return how;
+}
+
+/// A face or block is given by its sides or by its corners: whether by its corners; nothing after
+/// an error.
+std::optional<bool> by_corners(Reading& reading, const YamlNode& node, const Keys& sides,
+                               const std::string& what) {
+    const bool corners = node.find("corners") != nullptr;
+    const YamlNode* first = nullptr;
+    for (const std::string_view side : sides) {
+        const YamlNode* given = node.find(side);
+        if (given != nullptr && first == nullptr) first = given;
+    }
+    if (corners && first != nullptr) {
+        reading.diagnostics.error(first->key_place,
+                                  fmt::format("{} is already given by its corners", what),
+                                  "give either the corners or the sides");
+        return std::nullopt;
+    }
+    if (!corners && first == nullptr) {
+        reading.diagnostics.error(node.key_place, fmt::format("{} has no sides", what),
+                                  fmt::format("give {}, or corners", fmt::join(sides, ", ")));
+        return std::nullopt;
+    }
+    return corners;
+}
+
+template <std::size_t count>
+std::array<Name, count> read_corners(Reading& reading, const YamlNode& node) {
+    std::array<Name, count> corners;
+    corners.fill({{}, node.place});
+    if (!expect_list(reading, node, "'corners'", count)) return corners;
+    for (std::size_t n = 0; n < count; ++n)
+        corners[n] = read_name(reading, node.children[n], "a corner");
+    return corners;
+}
+
+/// One edge or several; never empty: what cannot be read is an empty name.
+std::vector<SignedName> read_face_side(Reading& reading, const YamlNode& node,
+                                       const std::string& what) {
+    if (!node.is_sequence()) return {read_signed_name(reading, node, what)};
+    std::vector<SignedName> edges;
+    for (const YamlNode& item : node.children) {
+        edges.push_back(read_signed_name(reading, item, fmt::format("an edge of {}", what)));
+    }
+    if (!edges.empty()) return edges;
+    reading.diagnostics.error(node.place, fmt::format("{} names no edge", what));
+    return {SignedName{{}, false, false, node.place}};
+}
+
+void refuse_surface(Reading& reading, const YamlNode& node) {
+    const YamlNode* surface = node.find("surface");
+    if (surface == nullptr || (surface->is_scalar() && surface->text == "minimal")) return;
+    reading.diagnostics.error(surface->place, "faces on surfaces come with a later version",
+                              "only 'surface: minimal' is there yet");
+}
+
+FaceEntry read_face(Reading& reading, const YamlNode& node) {
+    const std::string what = fmt::format("face '{}'", shown(node.key));
+    const Keys sides = keys_of_sides(4);
+    std::array<std::vector<SignedName>, 4> edges;
+    edges.fill({SignedName{{}, false, false, node.key_place}});
+    FaceEntry face{{node.key, node.key_place}, edges, {}};
+
+    Keys keys = sides;
+    keys.insert(keys.end(), {"corners", "method", "tolerance", "surface"});
+    if (!expect_mapping(reading, node, what, keys,
+                        {{"orthogonal", "orthogonality at boundaries is not in this version yet",
+                          "remove the key 'orthogonal'"}})) {
+        return face;
+    }
+    face.how = read_method(reading, node);
+    refuse_surface(reading, node);
+    const std::optional<bool> corners = by_corners(reading, node, sides, what);
+    if (!corners) return face;
+    if (*corners) {
+        face.shape = read_corners<4>(reading, *node.find("corners"));
+        return face;
+    }
+    for (std::size_t n = 0; n < 4; ++n) {
+        const YamlNode* side = require(reading, node, sides[n], what);
+        if (side != nullptr)
+            edges.at(n) = read_face_side(reading, *side, fmt::format("'{}'", sides[n]));
+    }
+    face.shape = std::move(edges);
+    return face;
+}
+
+/// `[-j, i]`: the two axes of a block's side in the face's own.
+std::optional<std::array<int, 2>> read_axes(Reading& reading, const YamlNode& node) {
+    if (!expect_list(reading, node, "'axes'", 2)) return std::nullopt;
+    const Keys names{"i", "j", "-i", "-j"};
+    static constexpr std::array<int, 4> values{1, 2, -1, -2};
+    std::array<int, 2> axes{};
+    for (std::size_t n = 0; n < 2; ++n) {
+        const auto choice = read_choice(reading, node.children[n], "an axis", names);
+        if (!choice) return std::nullopt;
+        axes.at(n) = values.at(*choice);
+    }
+    if (std::abs(axes[0]) != std::abs(axes[1])) return axes;
+    reading.diagnostics.error(node.place, "'axes' must name both i and j");
+    return std::nullopt;
+}
+
+FaceUseEntry read_block_side(Reading& reading, const YamlNode& node, const std::string& what) {
+    FaceUseEntry use{{{}, node.place}, {}};
+    if (node.is_sequence()) {
+        reading.diagnostics.error(node.place,
+                                  "a block side made of several faces is not in this version yet",
+                                  "split the block so that every side is one face");
+        return use;
+    }
+    if (!node.is_mapping()) {
+        use.face = read_name(reading, node, what);
+        return use;
+    }
+    expect_mapping(reading, node, what, {"face", "axes"});
+    const YamlNode* face = require(reading, node, "face", what);
+    if (face != nullptr) use.face = read_name(reading, *face, "'face'");
+    if (const YamlNode* axes = node.find("axes")) {
+        use.axes = read_axes(reading, *axes);
+        if (!use.axes) use.face.value.clear();
+    }
+    return use;
+}
+
+BlockEntry read_block(Reading& reading, const YamlNode& node) {
+    const std::string what = fmt::format("block '{}'", shown(node.key));
+    const Keys sides = keys_of_sides(6);
+    std::array<FaceUseEntry, 6> faces;
+    faces.fill({{{}, node.key_place}, {}});
+    BlockEntry block{{node.key, node.key_place}, faces, {}};
+
+    Keys keys = sides;
+    keys.insert(keys.end(), {"corners", "method", "tolerance"});
+    if (!expect_mapping(reading, node, what, keys)) return block;
+    block.how = read_method(reading, node);
+    const std::optional<bool> corners = by_corners(reading, node, sides, what);
+    if (!corners) return block;
+    if (*corners) {
+        block.shape = read_corners<8>(reading, *node.find("corners"));
+        return block;
+    }
+    for (std::size_t n = 0; n < 6; ++n) {
+        const YamlNode* side = require(reading, node, sides[n], what);
+        if (side != nullptr)
+            faces.at(n) = read_block_side(reading, *side, fmt::format("'{}'", sides[n]));
+    }
+    block.shape = std::move(faces);
+    return block;
+}
+
+/// Boundary condition types of CGNS that solvers read from structured files.
+const Keys& boundary_types() {
+    static const Keys types{"BCWall",
+                            "BCWallViscous",
+                            "BCWallInviscid",
+                            "BCWallViscousHeatFlux",
+                            "BCWallViscousIsothermal",
+                            "BCSymmetryPlane",
+                            "BCSymmetryPolar",
+                            "BCFarfield",
+                            "BCInflow",
+                            "BCInflowSubsonic",
+                            "BCInflowSupersonic",
+                            "BCOutflow",
+                            "BCOutflowSubsonic",
+                            "BCOutflowSupersonic",
+                            "BCTunnelInflow",
+                            "BCTunnelOutflow",
+                            "BCExtrapolate",
+                            "BCDegenerateLine",
+                            "BCDegeneratePoint",
+                            "BCAxisymmetricWedge"};
+    return types;
+}
+
+std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// "z = 0": an axis and an expression.
+std::optional<AxisPlane> read_axis_plane(Reading& reading, const YamlNode& node) {
+    const std::size_t equals = node.is_scalar() ? node.text.find('=') : std::string::npos;
+    const std::string axis =
+        equals == std::string::npos ? "" : trimmed(node.text.substr(0, equals));
+    const std::size_t which = std::string("xyz").find(axis);
+    if (axis.size() != 1 || which == std::string::npos) {
+        reading.diagnostics.error(
+            node.place,
+            fmt::format("'plane' must be an axis and its value, not {}", describe(node)),
+            "write \"z = 0\", or x or y for z");
+        return std::nullopt;
+    }
+    YamlNode value = node;
+    value.text = node.text.substr(equals + 1);
+    if (node.text_column > 0) value.text_column = node.text_column + static_cast<int>(equals) + 1;
+    if (trimmed(value.text).empty()) value.text.clear();
+    const auto number = read_number(reading, value, "the value of 'plane'");
+    if (!number) return std::nullopt;
+    return AxisPlane{static_cast<int>(which), *number};
+}
+
+std::vector<Name> read_sides(Reading& reading, const YamlNode& node) {
+    if (!node.is_sequence()) return {read_name(reading, node, "'sides'")};
+    std::vector<Name> sides;
+    for (const YamlNode& item : node.children) sides.push_back(read_name(reading, item, "a side"));
+    if (sides.empty()) reading.diagnostics.error(node.place, "'sides' names nothing");
+    return sides;
+}
+
+BoundaryEntry read_boundary(Reading& reading, const YamlNode& node) {
+    const std::string what = fmt::format("boundary '{}'", shown(node.key));
+    BoundaryEntry boundary;
+    boundary.name = {node.key, node.key_place};
+    if (!expect_mapping(reading, node, what, {"type", "sides", "plane"})) return boundary;
+    if (const YamlNode* type = require(reading, node, "type", what)) {
+        boundary.type.place = type->place;
+        if (read_choice(reading, *type, "'type'", boundary_types()))
+            boundary.type.value = type->text;
+    }
+    const YamlNode* sides = require(reading, node, "sides", what);
+    if (sides != nullptr) boundary.sides = read_sides(reading, *sides);
+    if (const YamlNode* plane = node.find("plane")) {
+        const auto read = read_axis_plane(reading, *plane);
+        if (read) boundary.plane = {*read, plane->place};
+    }
+    return boundary;
+}
+
+template <class Entry, class Reader>
+std::vector<Entry> read_section(Reading& reading, const YamlNode& section, const std::string& kind,
+                                Reader read) {
+    std::vector<Entry> entries;
+    for (const YamlNode& node : section.children) {
+        check_new_name(reading, node, kind, longest_cgns_name);
+        entries.push_back(read(reading, node));
+    }
+    return entries;
+}
+
+}  // namespace
+
+std::vector<FaceEntry> read_faces(Reading& reading, const YamlNode& section) {
+    return read_section<FaceEntry>(reading, section, "face", read_face);
+}
+
+std::vector<BlockEntry> read_blocks(Reading& reading, const YamlNode& section) {
+    return read_section<BlockEntry>(reading, section, "block", read_block);
+}
+
+std::vector<BoundaryEntry> read_boundaries(Reading& reading, const YamlNode& section) {
+    return read_section<BoundaryEntry>(reading, section, "boundary", read_boundary);
+}
+
+}  // namespace hexweave

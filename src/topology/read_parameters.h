@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The `parameters:` of a file and their overrides from the command line.
+#pragma once
+
+#include <vector>
+
+#include "topology/read_case.h"
+#include "topology/read_values.h"
+
+namespace hexweave {
+
+/// Evaluates the parameters in order, an overridden one by its override, and fills the scope for
+/// the expressions that follow. `section` may be null.
+std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section,
+                                       const std::vector<Override>& overrides);
+
+/// Warns of parameters that nothing used, unless they were overridden.
+void warn_unused_parameters(Reading& reading, const std::vector<Parameter>& parameters);
+
+}  // namespace hexweave

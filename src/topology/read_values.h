@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of the tree as numbers, points, names and choices. Each reader tells what was expected,
+// what was found and where, and then returns nothing, so that reading goes on with the next value.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnostics.h"
+#include "core/vec3.h"
+#include "topology/case.h"
+#include "topology/expressions.h"
+#include "topology/yaml_tree.h"
+
+namespace hexweave {
+
+/// What all parts of reading share.
+struct Reading {
+    Diagnostics& diagnostics;
+    std::shared_ptr<const SourceFile> source;
+    ParameterScope parameters;
+};
+
+/// A key that is refused with its own words rather than as unknown.
+struct RefusedKey {
+    std::string_view key;
+    std::string_view message;
+    std::string_view hint;
+};
+
+using Keys = std::vector<std::string_view>;
+
+/// In `what`, below: the words for the value or entry, as in "edge 'wake'" or "'chord'".
+
+/// A user's text as it may stand in a message: one line of bounded length.
+std::string shown(const std::string& text);
+/// A list, a mapping, nothing, '...'.
+std::string describe(const YamlNode& node);
+/// The place of a fault inside of a scalar's expression.
+Place place_in(const YamlNode& node, std::size_t offset, std::size_t length);
+
+/// Whether the node is a mapping of legal keys; tells what is not. Unknown keys alone do not make
+/// it false: the known ones are still to be read.
+bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& what,
+                    const Keys& keys, const std::vector<RefusedKey>& refused = {});
+/// The value of a key that must be there.
+const YamlNode* require(Reading& reading, const YamlNode& mapping, std::string_view key,
+                        const std::string& what);
+/// Whether the node is a list; with `count` > 0, of that many items.
+bool expect_list(Reading& reading, const YamlNode& node, const std::string& what,
+                 std::size_t count = 0);
+
+/// A finite number.
+std::optional<double> read_number(Reading& reading, const YamlNode& node, const std::string& what);
+std::optional<double> read_positive(Reading& reading, const YamlNode& node,
+                                    const std::string& what);
+/// A whole number between 1 and 2^30.
+std::optional<int> read_count(Reading& reading, const YamlNode& node, const std::string& what);
+/// Two or three numbers.
+std::optional<Vec3> read_point(Reading& reading, const YamlNode& node, const std::string& what);
+/// A formula of t.
+std::optional<std::function<double(double)>> read_formula(Reading& reading, const YamlNode& node,
+                                                          const std::string& what);
+/// `true` or `false`.
+std::optional<bool> read_switch(Reading& reading, const YamlNode& node, const std::string& what);
+/// Any text, not empty.
+std::optional<std::string> read_text(Reading& reading, const YamlNode& node,
+                                     const std::string& what);
+/// The position of the node's text among `choices`.
+std::optional<std::size_t> read_choice(Reading& reading, const YamlNode& node,
+                                       const std::string& what, const Keys& choices);
+
+/// The name that a key defines: letters, digits and underscores, not what YAML takes for a switch,
+/// at most `longest` bytes.
+bool check_new_name(Reading& reading, const YamlNode& node, const std::string& kind,
+                    std::size_t longest = 200);
+/// The use of a name; an empty name, after an error, where there is none. Hyphens may stand in it:
+/// edges and faces that are made rather than drawn are called a-b.
+Name read_name(Reading& reading, const YamlNode& node, const std::string& what);
+/// The same with an optional sign in front.
+SignedName read_signed_name(Reading& reading, const YamlNode& node, const std::string& what);
+
+/// "did you mean 'x'?", or else "LABEL a, b, c".
+std::string suggestion(const std::string& name, const Keys& known, std::string_view label);
+
+}  // namespace hexweave

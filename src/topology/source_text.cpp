@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topology/source_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace hexweave {
+
+namespace {
+
+bool is_continuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// Bytes of the well-formed UTF-8 character that `text` begins with; 0 where it is broken
+/// (too long a form, a surrogate, beyond U+10FFFF).
+std::size_t character_bytes(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < 0x80) return 1;
+    const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 0;
+    if (bytes == 0 || text.size() < bytes) return 0;
+    std::uint32_t value = lead & (0xFFU >> (bytes + 1));
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if (!is_continuation(text[i])) return 0;
+        value = (value << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
+    }
+    const std::uint32_t least = bytes == 2 ? 0x80 : bytes == 3 ? 0x800 : 0x10000;
+    const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
+    return value < least || value > 0x10FFFF || surrogate ? 0 : bytes;
+}
+
+bool is_control(std::string_view text) {
+    const auto c = static_cast<unsigned char>(text.front());
+    if (c == '\r') return text.size() < 2 || text[1] != '\n';
+    return (c < 0x20 && c != '\t' && c != '\n') || c == 0x7F;
+}
+
+bool check_characters(const SourcePlaces& places, Diagnostics& diagnostics) {
+    const std::string_view text = places.text();
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t bytes = character_bytes(text.substr(at));
+        if (bytes == 0) {
+            diagnostics.error(places.at(at),
+                              fmt::format("byte 0x{:02X} is not valid UTF-8",
+                                          static_cast<unsigned char>(text[at])),
+                              "save the file as UTF-8");
+            return false;
+        }
+        if (is_control(text.substr(at))) {
+            diagnostics.error(places.at(at), fmt::format("control character 0x{:02X} in the text",
+                                                         static_cast<unsigned char>(text[at])));
+            return false;
+        }
+        at += bytes;
+    }
+    return true;
+}
+
+bool check_indentation(const SourcePlaces& places, Diagnostics& diagnostics) {
+    const std::string_view text = places.text();
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::size_t first = std::min(text.find_first_not_of(" \t\r", begin), end);
+        const std::size_t tab = text.find('\t', begin);
+        if (tab < first && first < end && text[first] != '#') {
+            diagnostics.error(places.at(tab), "a tab in the indentation", "indent with spaces");
+            return false;
+        }
+        begin = end + 1;
+    }
+    return true;
+}
+
+}  // namespace
+
+SourcePlaces::SourcePlaces(std::shared_ptr<const SourceFile> source)
+    : source_(std::move(source)), text_(source_->text), line_begins_{0} {
+    if (text_.substr(0, 3) == "\xEF\xBB\xBF") text_.remove_prefix(3);
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+        if (text_[i] == '\n') line_begins_.push_back(i + 1);
+    }
+}
+
+Place SourcePlaces::at(std::size_t offset, int length) const {
+    offset = std::min(offset, text_.size());
+    const auto line = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset) - 1;
+    std::size_t from = *line;
+    int column = 1;
+    if (last_offset_ >= from && last_offset_ <= offset) {
+        from = last_offset_;
+        column = last_column_;
+    }
+    column += count_characters(text_.substr(from, offset - from));
+    last_offset_ = offset;
+    last_column_ = column;
+    return {source_, static_cast<int>(line - line_begins_.begin()) + 1, column, length};
+}
+
+int count_characters(std::string_view text) {
+    return static_cast<int>(
+        std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
+}
+
+bool check_text(const SourcePlaces& places, Diagnostics& diagnostics) {
+    return check_characters(places, diagnostics) && check_indentation(places, diagnostics);
+}
+
+}  // namespace hexweave

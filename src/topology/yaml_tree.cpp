@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topology/yaml_tree.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "topology/source_text.h"
+
+namespace hexweave {
+
+namespace {
+
+constexpr std::size_t maximum_depth = 100;
+constexpr std::size_t maximum_nodes = 4'000'000;  ///< with all aliases written out
+
+/// Ends the parsing from inside an event; the diagnostic is already told.
+struct ParsingEnded {};
+
+std::size_t count_nodes(const YamlNode& node) {
+    std::size_t count = 1;
+    for (const YamlNode& child : node.children) count += count_nodes(child);
+    return count;
+}
+
+/// The offset behind anchors (`&name`) that stand before a node.
+std::size_t skip_anchor(std::string_view text, std::size_t offset) {
+    if (offset >= text.size() || text[offset] != '&') return offset;
+    const std::size_t end = text.find_first_of(" \t\r\n", offset);
+    const std::size_t next = text.find_first_not_of(" \t\r\n", end);
+    return next == std::string_view::npos ? offset : next;
+}
+
+/// The offset behind the closing quote of a text that opens at `offset`; npos where it is open.
+std::size_t end_of_quoted(std::string_view text, std::size_t offset) {
+    const char quote = text[offset];
+    for (std::size_t i = offset + 1; i < text.size(); ++i) {
+        if (quote == '"' && text[i] == '\\') {
+            ++i;
+        } else if (text[i] == quote) {
+            if (quote == '"' || i + 1 >= text.size() || text[i + 1] != '\'') return i + 1;
+            ++i;
+        }
+    }
+    return std::string_view::npos;
+}
+
+class TreeBuilder : public YAML::EventHandler {
+public:
+    TreeBuilder(const SourcePlaces& places, Diagnostics& diagnostics)
+        : places_(places), diagnostics_(diagnostics) {}
+
+    YamlNode take_root() { return std::move(root_); }
+
+    /// Adds to a syntax error what was still open where it was found.
+    void note_open_brackets(Diagnostic& d) const {
+        const auto flow = std::find_if(open_.rbegin(), open_.rend(),
+                                       [](const OpenNode& open) { return open.flow; });
+        if (flow == open_.rend()) return;
+        d.notes.push_back({flow->node.place, flow->node.is_mapping()
+                                                 ? "inside the '{' that opens here"
+                                                 : "inside the '[' that opens here"});
+    }
+
+    void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+    void OnDocumentEnd() override {}
+
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        YamlNode node;
+        node.place = place(mark);
+        const std::string_view rest = places_.text().substr(offset(mark));
+        if (anchor != 0) refuse_bare_anchor(node.place);
+        const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n,]}"));
+        const bool written = word == "~" || word == "null" || word == "Null" || word == "NULL";
+        if (!written && expects_value()) node.place = open_.back().key_place;
+        add(std::move(node), anchor);
+    }
+
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override {
+        const std::size_t begin = skip_anchor(places_.text(), offset(mark));
+        const std::string_view source = places_.text().substr(begin);
+        YamlNode node;
+        node.kind = YamlNode::Kind::scalar;
+        node.text = value;
+        node.place = places_.at(begin);
+        node.quoted = tag == "!";
+        if (tag != "!" && tag != "?") refuse_tag(place(mark), tag);
+
+        const bool quote = !source.empty() && (source.front() == '"' || source.front() == '\'');
+        if (node.quoted && quote) {
+            const std::size_t end = end_of_quoted(source, 0);
+            if (end == std::string_view::npos) end_with_open_quote(node.place);
+            if (source.substr(1, end - 2) == value) node.text_column = node.place.column + 1;
+            node.place.length = count_characters(first_line(source.substr(0, end)));
+        } else if (source.substr(0, value.size()) == value) {
+            node.text_column = node.place.column;
+            node.place.length = count_characters(value);
+        } else {
+            node.place.length = count_characters(first_line(source));
+        }
+        if (node.text.find('\n') != std::string::npos) node.text_column = 0;
+        add(std::move(node), anchor);
+    }
+
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        const std::string_view source = places_.text().substr(offset(mark));
+        const std::string_view written = source.substr(0, source.find_first_of(" \t\r\n,]}"));
+        const Place here = places_.at(offset(mark), count_characters(written));
+        const auto found = anchors_.find(anchor);
+        if (found == anchors_.end()) {
+            diagnostics_.error(
+                here, fmt::format("the alias '{}' stands inside of its own anchor", written));
+            throw ParsingEnded{};
+        }
+        nodes_ += count_nodes(found->second);
+        if (nodes_ > maximum_nodes) {
+            diagnostics_.error(here, "aliases inside of aliases make this file too large");
+            throw ParsingEnded{};
+        }
+        YamlNode node = found->second;
+        node.place = here;
+        node.text_column = 0;
+        add(std::move(node), 0);
+    }
+
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value style) override {
+        open(YamlNode::Kind::sequence, mark, tag, anchor, style);
+    }
+    void OnSequenceEnd() override { close(); }
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value style) override {
+        open(YamlNode::Kind::mapping, mark, tag, anchor, style);
+    }
+    void OnMapEnd() override { close(); }
+
+private:
+    struct OpenNode {
+        YamlNode node;
+        YAML::anchor_t anchor = 0;
+        bool flow = false;
+        bool has_key = false;  ///< a mapping's key was read, its value not yet
+        std::string key;
+        Place key_place;
+        std::map<std::string, Place> keys;
+    };
+
+    std::size_t offset(const YAML::Mark& mark) const {
+        const std::size_t given = mark.pos < 0 ? 0 : static_cast<std::size_t>(mark.pos);
+        return std::min(given, places_.text().size());
+    }
+    Place place(const YAML::Mark& mark) const { return places_.at(offset(mark)); }
+
+    static std::string_view first_line(std::string_view text) {
+        return text.substr(0, text.find_first_of("\r\n"));
+    }
+
+    bool expects_value() const { return !open_.empty() && open_.back().has_key; }
+
+    void open(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag,
+              YAML::anchor_t anchor, YAML::EmitterStyle::value style) {
+        OpenNode node;
+        node.node.kind = kind;
+        node.node.place = places_.at(skip_anchor(places_.text(), offset(mark)));
+        node.anchor = anchor;
+        node.flow = style == YAML::EmitterStyle::Flow;
+        if (open_.size() >= maximum_depth) {
+            diagnostics_.error(node.node.place,
+                               fmt::format("nested more than {} deep", maximum_depth));
+            throw ParsingEnded{};
+        }
+        if (!tag.empty() && tag != "?" && tag != "!") refuse_tag(place(mark), tag);
+        open_.push_back(std::move(node));
+    }
+
+    void close() {
+        OpenNode done = std::move(open_.back());
+        open_.pop_back();
+        add(std::move(done.node), done.anchor);
+    }
+
+    void add(YamlNode node, YAML::anchor_t anchor) {
+        ++nodes_;
+        if (anchor != 0) anchors_[anchor] = node;
+        if (open_.empty()) {
+            root_ = std::move(node);
+            return;
+        }
+        OpenNode& parent = open_.back();
+        if (parent.node.is_sequence()) {
+            parent.node.children.push_back(std::move(node));
+        } else if (!parent.has_key) {
+            set_key(parent, node);
+        } else {
+            add_value(parent, std::move(node));
+        }
+    }
+
+    void set_key(OpenNode& parent, const YamlNode& node) {
+        if (!node.is_scalar()) {
+            diagnostics_.error(node.place, "a key must be a name");
+            throw ParsingEnded{};
+        }
+        parent.has_key = true;
+        parent.key = node.text;
+        parent.key_place = node.place;
+    }
+
+    void add_value(OpenNode& parent, YamlNode node) {
+        parent.has_key = false;
+        const auto [first, is_new] = parent.keys.emplace(parent.key, parent.key_place);
+        if (!is_new) {
+            Diagnostic& d = diagnostics_.error(parent.key_place, "this key is given twice");
+            d.notes.push_back({first->second, "first given here"});
+            return;
+        }
+        node.key = std::move(parent.key);
+        node.key_place = parent.key_place;
+        parent.node.children.push_back(std::move(node));
+    }
+
+    void refuse_tag(const Place& where, const std::string& tag) {
+        diagnostics_.error(where, fmt::format("YAML tags such as '{}' have no meaning here", tag),
+                           "remove the tag, or quote the text");
+    }
+
+    void refuse_bare_anchor(const Place& where) {
+        diagnostics_.error(where, "'&' begins a YAML anchor, and nothing follows it",
+                           "if it is meant as text, quote it");
+    }
+
+    [[noreturn]] void end_with_open_quote(const Place& where) {
+        diagnostics_.error(where, "the quote that opens here is never closed");
+        throw ParsingEnded{};
+    }
+
+    const SourcePlaces& places_;
+    Diagnostics& diagnostics_;
+    YamlNode root_;
+    std::vector<OpenNode> open_;
+    std::map<YAML::anchor_t, YamlNode> anchors_;
+    std::size_t nodes_ = 0;
+};
+
+/// What yaml-cpp says, and what to say instead.
+struct Rewording {
+    std::string_view yaml_cpp;
+    std::string_view message;
+    std::string_view hint;
+};
+
+constexpr std::array<Rewording, 8> rewordings{{
+    {"illegal map value", "a ':' where no key can stand",
+     "check the indentation, and quote a text that holds ': '"},
+    {"illegal flow end", "this bracket closes nothing", ""},
+    {"illegal block entry", "a list item cannot begin here", "write a list as [a, b]"},
+    {"end of map not found", "this does not fit to what stands before it",
+     "check the indentation and the quotes"},
+    {"end of sequence not found", "this does not fit to what stands before it",
+     "check the indentation and the quotes"},
+    {"illegal EOF in scalar", "the file ends inside of a quoted text", "close the quote"},
+    {"end of map flow not found", "a ',' or '}' is missing before this", ""},
+    {"end of sequence flow not found", "a ',' or ']' is missing before this", ""},
+}};
+
+/// Faults that a user of expressions meets: `*x`, `&x`, `@x` or `%x` without quotes.
+bool tell_unquoted(std::string_view fault, std::size_t offset, const SourcePlaces& places,
+                   Diagnostics& diagnostics) {
+    const std::string_view text = places.text();
+    if (fault == "alias not found after *" || fault == "anchor not found after &") --offset;
+    const std::string_view word =
+        text.substr(offset, text.substr(offset).find_first_of(" \t\r\n,]}"));
+    if (word.empty() || std::string_view("*&@%`").find(word.front()) == std::string_view::npos) {
+        return false;
+    }
+    const bool alias = word.front() == '*' && word.size() > 1;
+    diagnostics.error(
+        places.at(offset, count_characters(word)),
+        alias ? fmt::format("'{}' is a YAML alias, but no anchor '&{}' stands before it", word,
+                            word.substr(1))
+              : fmt::format("'{}' begins no text in YAML", word.front()),
+        fmt::format("a text that begins with '{}' must be quoted", word.front()));
+    return true;
+}
+
+void tell_syntax_error(const YAML::Exception& fault, const SourcePlaces& places,
+                       const TreeBuilder& builder, Diagnostics& diagnostics) {
+    const std::size_t size = places.text().size();
+    const std::size_t offset =
+        fault.mark.pos < 0 ? size : std::min(static_cast<std::size_t>(fault.mark.pos), size);
+    if (tell_unquoted(fault.msg, offset, places, diagnostics)) return;
+
+    const auto* known = std::find_if(rewordings.begin(), rewordings.end(),
+                                     [&](const Rewording& r) { return r.yaml_cpp == fault.msg; });
+    const bool found = known != rewordings.end();
+    Diagnostic& d = diagnostics.error(
+        places.at(offset), "not valid YAML: " + (found ? std::string(known->message) : fault.msg),
+        found ? std::string(known->hint) : std::string());
+    builder.note_open_brackets(d);
+}
+
+/// Reads one document; false when it did not come to its end.
+bool handle_document(YAML::Parser& parser, const SourcePlaces& places, TreeBuilder& builder,
+                     Diagnostics& diagnostics, bool& found) {
+    try {
+        found = parser.HandleNextDocument(builder);
+        return true;
+    } catch (const ParsingEnded&) {
+        return false;
+    } catch (const YAML::Exception& fault) {
+        tell_syntax_error(fault, places, builder, diagnostics);
+        return false;
+    }
+}
+
+/// Notes where a document starts and goes no further.
+class DocumentFinder : public YAML::EventHandler {
+public:
+    int start = -1;
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        start = mark.pos;
+        throw ParsingEnded{};
+    }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+    void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+    void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  const std::string& /*value*/) override {}
+    void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
+                         YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
+    void OnSequenceEnd() override {}
+    void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
+                    YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
+    void OnMapEnd() override {}
+};
+
+/// Whatever follows the document: yaml-cpp drops it without a word unless it is asked for.
+bool check_nothing_follows(YAML::Parser& parser, const SourcePlaces& places,
+                           Diagnostics& diagnostics) {
+    DocumentFinder finder;
+    try {
+        if (!parser.HandleNextDocument(finder)) return true;
+    } catch (const ParsingEnded&) {
+        const std::size_t start = static_cast<std::size_t>(std::max(finder.start, 0));
+        diagnostics.error(places.at(start), "this does not belong to what stands before it",
+                          "one file holds one mapping of keys; check the indentation");
+        return false;
+    } catch (const YAML::Exception& fault) {
+        tell_syntax_error(fault, places, TreeBuilder(places, diagnostics), diagnostics);
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+const YamlNode* YamlNode::find(std::string_view wanted) const {
+    const auto found = std::find_if(children.begin(), children.end(),
+                                    [&](const YamlNode& child) { return child.key == wanted; });
+    return is_mapping() && found != children.end() ? &*found : nullptr;
+}
+
+std::optional<YamlNode> read_yaml(const std::shared_ptr<const SourceFile>& source,
+                                  Diagnostics& diagnostics) {
+    const SourcePlaces places(source);
+    if (!check_text(places, diagnostics)) return std::nullopt;
+
+    std::istringstream stream{std::string(places.text())};
+    YAML::Parser parser(stream);
+    TreeBuilder builder(places, diagnostics);
+    bool found = false;
+    if (!handle_document(parser, places, builder, diagnostics, found)) return std::nullopt;
+    YamlNode root = builder.take_root();
+    if (!found || root.is_null()) {
+        diagnostics.error({source, 0, 0, 1}, "the file is empty");
+        return std::nullopt;
+    }
+    if (!check_nothing_follows(parser, places, diagnostics)) return std::nullopt;
+    return root;
+}
+
+}  // namespace hexweave
