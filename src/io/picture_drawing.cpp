@@ -4,9 +4,12 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <fstream>
 #include <memory>
+#include <system_error>
 
 #include "core/errors.h"
 #include "io/picture_text.h"
@@ -101,7 +104,20 @@ void copy_backdrop(const Drawing& drawing, cairo_surface_t* surface) {
     cairo_surface_mark_dirty(surface);
 }
 
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+    static_cast<std::string*>(bytes)->append(data, data + length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
 }  // namespace
+
+void write_bytes(const std::string& bytes, const std::filesystem::path& path) {
+    errno = 0;
+    std::ofstream file(path, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) throw MachineError(path.string() + ": " + std::generic_category().message(errno));
+}
 
 double text_width(const std::string& text, double size, bool bold) {
     const SurfacePointer surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
@@ -124,8 +140,10 @@ void write_png(const Drawing& drawing, const std::filesystem::path& path) {
     }
     if (cairo_status(page.get()) != CAIRO_STATUS_SUCCESS) fail(path, cairo_status(page.get()));
     cairo_surface_flush(surface.get());
-    const cairo_status_t status = cairo_surface_write_to_png(surface.get(), path.c_str());
+    std::string bytes;
+    const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
     if (status != CAIRO_STATUS_SUCCESS) fail(path, status);
+    write_bytes(bytes, path);
 }
 
 }  // namespace hexweave

@@ -72,7 +72,9 @@ struct Drawing {
 /// The width of a text in pixels.
 double text_width(const std::string& text, double size, bool bold = false);
 
-/// Both throw MachineError, naming the path and the reason, when the file cannot be written.
+/// Writes a file as a whole. Throws MachineError, naming the path and the reason, when it cannot be
+/// written; so do the two below.
+void write_bytes(const std::string& bytes, const std::filesystem::path& path);
 void write_png(const Drawing& drawing, const std::filesystem::path& path);
 void write_svg(const Drawing& drawing, const std::filesystem::path& path);
 

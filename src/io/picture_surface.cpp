@@ -268,7 +268,7 @@ private:
         if (outside(frame_, tile) || !seen(tile)) return;
         Polyline ring;
         for (const Sight& corner : tile) ring.push_back({corner.x, corner.y});
-        if (cross_of(tile[0], tile[2], tile[1].x, tile[1].y) < 0) {
+        if (cross_of(tile[0], tile[1], tile[2].x, tile[2].y) < 0) {
             std::reverse(ring.begin(), ring.end());
         }
         ring = clip_polygon(frame_, ring);

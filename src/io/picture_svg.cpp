@@ -2,14 +2,10 @@
 // Written by hand: cairo's own SVG is three times as large, and its letters are outlines.
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
-#include <system_error>
 
-#include "core/errors.h"
 #include "io/picture_drawing.h"
 #include "io/picture_text.h"
 
@@ -119,11 +115,7 @@ void write_svg(const Drawing& drawing, const std::filesystem::path& path) {
         std::visit([&](const auto& shape) { append(text, shape); }, item);
     }
     text += "</svg>\n";
-    errno = 0;
-    std::ofstream file(path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    if (!file) throw MachineError(path.string() + ": " + std::generic_category().message(errno));
+    write_bytes(text, path);
 }
 
 }  // namespace hexweave
