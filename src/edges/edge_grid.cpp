@@ -1,2 +1,110 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "edges/edge_grid.h"
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+
+#include "core/assert.h"
+#include "core/parallel.h"
+#include "edges/spacing.h"
+#include "geometry/curve.h"
+#include "geometry/stretching.h"
+
+namespace hexweave {
+
+namespace {
+
+/// The edge that a chain of SameAs laws ends at, and whether its fractions are to be reversed.
+EdgeUse origin_of_spacing(const Topology& topology, std::size_t edge) {
+    EdgeUse use{static_cast<int>(edge), false};
+    for (std::size_t steps = 0; steps <= topology.edges.size(); ++steps) {
+        const Edge& at = topology.edges[static_cast<std::size_t>(use.edge)];
+        const auto* same = std::get_if<SameAs>(&at.law);
+        if (!same) return use;
+        use = {same->edge, use.reversed != same->reversed};
+    }
+    HEXWEAVE_ASSERT(false);  // the laws go round in a circle
+    return use;
+}
+
+/// The arc-length fractions of positions given as fractions of the parameter.
+std::vector<double> fractions_of_parameters(const Edge& edge, const std::vector<double>& positions,
+                                            const ArcLengthTable& table) {
+    std::vector<double> fractions = positions;
+    for (std::size_t i = 1; i + 1 < positions.size(); ++i) {
+        const double parameter = edge.from + positions[i] * (edge.to - edge.from);
+        fractions[i] = table.length_to(parameter) / table.length();
+    }
+    return fractions;
+}
+
+/// The fractions of an edge that has a law of its own.
+std::vector<double> own_fractions(const Edge& edge, const ArcLengthTable& table) {
+    std::vector<double> positions = law_fractions(edge.law, edge.cells, table.length());
+    const auto* stated = std::get_if<ExplicitLaw>(&edge.law);
+    if (stated && stated->of_parameter) return fractions_of_parameters(edge, positions, table);
+    return positions;
+}
+
+/// Moves a point onto the edge's symmetry planes, and onto z = 0 in a planar topology.
+Vec3 on_planes(Vec3 point, const Edge& edge, bool planar) {
+    for (const AxisPlane& plane : edge.planes) {
+        (plane.axis == 0 ? point.x : plane.axis == 1 ? point.y : point.z) = plane.value;
+    }
+    if (planar) point.z = 0;
+    return point;
+}
+
+/// Points and parameters at the grid's fractions.
+void place_points(const Topology& topology, const Edge& edge, const ArcLengthTable& table,
+                  EdgeGrid& grid) {
+    const std::size_t count = grid.fractions.size();
+    grid.parameters.resize(count);
+    grid.points.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        grid.parameters[i] = table.parameter_at(grid.fractions[i] * table.length());
+        grid.points[i] =
+            on_planes(evaluate(*edge.curve, grid.parameters[i]), edge, topology.planar);
+    }
+    grid.parameters.front() = edge.from;
+    grid.parameters.back() = edge.to;
+    grid.points.front() = topology.vertices[static_cast<std::size_t>(edge.start)].position;
+    grid.points.back() = topology.vertices[static_cast<std::size_t>(edge.end)].position;
+}
+
+}  // namespace
+
+std::vector<EdgeGrid> make_edges(const Topology& topology) {
+    const std::size_t count = topology.edges.size();
+    std::vector<EdgeGrid> grids(count);
+    std::vector<std::optional<ArcLengthTable>> tables(count);
+    parallel_for(count, [&](std::size_t e) {
+        const Edge& edge = topology.edges[e];
+        tables[e].emplace(*edge.curve, edge.from, edge.to);
+        if (!std::holds_alternative<SameAs>(edge.law)) {
+            grids[e].fractions = own_fractions(edge, *tables[e]);
+        }
+    });
+    for (std::size_t e = 0; e < count; ++e) {
+        const EdgeUse origin = origin_of_spacing(topology, e);
+        const std::vector<double>& own = grids[static_cast<std::size_t>(origin.edge)].fractions;
+        if (static_cast<std::size_t>(origin.edge) == e) continue;
+        grids[e].fractions = origin.reversed ? reversed_fractions(own) : own;
+    }
+    parallel_for(count, [&](std::size_t e) {
+        place_points(topology, topology.edges[e], *tables[e], grids[e]);
+    });
+    return grids;
+}
+
+double first_cell(const Edge& edge, const EdgeGrid& grid) {
+    return arc_length(*edge.curve, grid.parameters[0], grid.parameters[1]);
+}
+
+double last_cell(const Edge& edge, const EdgeGrid& grid) {
+    const std::size_t last = grid.parameters.size() - 1;
+    return arc_length(*edge.curve, grid.parameters[last - 1], grid.parameters[last]);
+}
+
+}  // namespace hexweave

@@ -16,7 +16,13 @@ struct EdgeGrid {
     std::vector<double> fractions;   ///< normalized arc length, 0 to 1
 };
 
-/// One grid per edge of the topology, in its order.
+/// One grid per edge of the topology, in its order. End points are the vertices to the bit; points
+/// on symmetry planes, and z of a planar topology, are there exactly.
 std::vector<EdgeGrid> make_edges(const Topology& topology);
+
+/// The arc lengths of the first and the last cell of an edge, measured on its curve between the
+/// parameters of the grid, not taken from the law.
+double first_cell(const Edge& edge, const EdgeGrid& grid);
+double last_cell(const Edge& edge, const EdgeGrid& grid);
 
 }  // namespace hexweave
