@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topology/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace hexweave {
+
+namespace {
+
+constexpr std::size_t longest_name = 32;
+
+/// FNV-1a: the same on every machine.
+std::uint64_t hash_of(const std::string& text) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : text) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 1099511628211ULL;
+    }
+    return hash;
+}
+
+/// Twelve hexadecimal digits tell about a million long names apart with near certainty.
+std::string shortened(const std::string& name) {
+    if (name.size() <= longest_name) return name;
+    const std::string digits = fmt::format("{:012x}", hash_of(name) & 0xFFFFFFFFFFFFULL);
+    return name.substr(0, longest_name - digits.size() - 1) + "-" + digits;
+}
+
+}  // namespace
+
+std::optional<int> NameTable::find(const std::string& name) const {
+    const auto found = index_.find(name);
+    if (found == index_.end()) return std::nullopt;
+    return found->second;
+}
+
+std::optional<int> NameTable::require(const Name& name, Diagnostics& diagnostics) const {
+    const std::optional<int> index = find(name.value);
+    if (!index && !name.value.empty()) report_unknown(name, diagnostics);
+    return index;
+}
+
+void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics, std::string hint) const {
+    if (hint.empty()) {
+        std::vector<std::string> known;
+        known.reserve(index_.size());
+        for (const auto& entry : index_) known.push_back(entry.first);
+        const std::string nearest = nearest_name(name.value, known);
+        if (!nearest.empty()) {
+            hint = fmt::format("did you mean {}?", quoted(nearest));
+        } else if (!known.empty() && known.size() <= 8) {
+            hint = fmt::format("known: {}", listed(known, known.size()));
+        }
+    }
+    diagnostics.error(name.place, fmt::format("unknown {} {}", kind_, quoted(name.value)),
+                      std::move(hint));
+}
+
+void NameTable::renumber(const std::vector<int>& new_index) {
+    for (auto& entry : index_) {
+        if (entry.second >= 0) entry.second = new_index[static_cast<std::size_t>(entry.second)];
+    }
+}
+
+std::optional<NamedEdge> find_edge(const NameTable& edges, const std::string& name) {
+    if (const auto index = edges.find(name)) return NamedEdge{*index, false};
+    const std::vector<std::string> parts = split_made_name(name);
+    if (parts.size() != 2) return std::nullopt;
+    const auto index = edges.find(made_edge_name(parts[0], parts[1]));
+    if (!index) return std::nullopt;
+    return NamedEdge{*index, parts[1] < parts[0]};
+}
+
+std::optional<int> find_face(const NameTable& faces, const std::string& name) {
+    if (const auto index = faces.find(name)) return index;
+    const std::vector<std::string> parts = split_made_name(name);
+    if (parts.size() != 4) return std::nullopt;
+    return faces.find(made_face_name({parts[0], parts[1], parts[2], parts[3]}));
+}
+
+std::string quoted(const std::string& name) {
+    return "'" + name + "'";
+}
+
+std::string listed(const std::vector<std::string>& names, std::size_t most) {
+    const std::size_t shown = std::min(most, names.size());
+    const std::size_t hidden = names.size() - shown;
+    std::string text;
+    for (std::size_t n = 0; n < shown; ++n) {
+        if (n > 0) text += n + 1 == shown && hidden == 0 ? " and " : ", ";
+        text += quoted(names[n]);
+    }
+    return hidden == 0 ? text : fmt::format("{} and {} more", text, hidden);
+}
+
+std::string made_edge_name(const std::string& a, const std::string& b) {
+    return shortened(a < b ? a + "-" + b : b + "-" + a);
+}
+
+std::array<std::size_t, 4> canonical_cycle(const std::array<std::string, 4>& corners) {
+    const auto first = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) -
+                                                corners.begin());
+    const std::size_t next = (first + 1) % 4;
+    const std::size_t previous = (first + 3) % 4;
+    const std::size_t across = (first + 2) % 4;
+    if (corners[next] < corners[previous]) return {first, next, across, previous};
+    return {first, previous, across, next};
+}
+
+std::string made_face_name(const std::array<std::string, 4>& corners) {
+    const std::array<std::size_t, 4> cycle = canonical_cycle(corners);
+    return shortened(fmt::format("{}-{}-{}-{}", corners[cycle[0]], corners[cycle[1]],
+                                 corners[cycle[2]], corners[cycle[3]]));
+}
+
+std::vector<std::string> split_made_name(const std::string& name) {
+    std::vector<std::string> parts(1);
+    for (const char c : name) {
+        if (c == '-') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+}  // namespace hexweave

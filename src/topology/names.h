@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names: which entity each one means, what to suggest for an unknown one, and the canonical names
+// of edges and faces that the user did not draw.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnostics.h"
+#include "topology/case.h"
+
+namespace hexweave {
+
+/// What the index of a known name may be instead of an index.
+inline constexpr int dropped_unused = -1;  ///< no part of the grid
+inline constexpr int dropped_faulty = -2;  ///< at fault, and reported as such
+
+/// The names of one kind of entity.
+class NameTable {
+public:
+    /// `kind` in the singular: "vertex".
+    explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
+
+    /// The first of equal names counts; reading has reported the others.
+    void add(const std::string& name, int index) { index_.emplace(name, index); }
+    std::optional<int> find(const std::string& name) const;
+    /// As `find`; reports an unknown name. An empty name is one that could not be read: silent.
+    std::optional<int> require(const Name& name, Diagnostics& diagnostics) const;
+    /// Reports a name that is not there; `hint` instead of the nearest name when not empty.
+    void report_unknown(const Name& name, Diagnostics& diagnostics, std::string hint = {}) const;
+    /// The index i becomes new_index[i].
+    void renumber(const std::vector<int>& new_index);
+
+private:
+    std::string kind_;
+    std::map<std::string, int> index_;
+};
+
+/// An edge as it was named; `reversed` when spelled against its own direction ("b-a" for "a-b").
+struct NamedEdge {
+    int edge = 0;
+    bool reversed = false;
+};
+
+/// Finds an edge by its name or, for one that was made, by its two vertices in either order.
+std::optional<NamedEdge> find_edge(const NameTable& edges, const std::string& name);
+/// Finds a face by its name or, for one that was made, by its corners in any cyclic order.
+std::optional<int> find_face(const NameTable& faces, const std::string& name);
+
+/// 'name'
+std::string quoted(const std::string& name);
+/// 'a', 'b' and 'c'; with more than `most` names the first ones and a count.
+std::string listed(const std::vector<std::string>& names, std::size_t most = 6);
+
+/// The canonical name of an edge that nobody drew, between two vertices: "a-b" with a < b. More
+/// than 32 bytes (what CGNS can hold) are cut and end in a hash.
+std::string made_edge_name(const std::string& a, const std::string& b);
+/// The order in which a made face takes its corners: from the alphabetically smallest on to the
+/// smaller of its two neighbours, and round. Positions in the cycle given.
+std::array<std::size_t, 4> canonical_cycle(const std::array<std::string, 4>& corners);
+/// The canonical name of a face that nobody drew: "a-b-c-d" in its canonical cycle.
+std::string made_face_name(const std::array<std::string, 4>& corners);
+/// The parts between the hyphens of "a-b" or "a-b-c-d".
+std::vector<std::string> split_made_name(const std::string& name);
+
+}  // namespace hexweave

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// A few points of an edge or a side: enough to tell signs and sizes by, not a grid.
+#pragma once
+
+#include <vector>
+
+#include "core/vec3.h"
+#include "topology/topology.h"
+
+namespace hexweave {
+
+/// `intervals` + 1 points at equal steps of the curve's parameter, along the edge's direction.
+std::vector<Vec3> sample_edge(const Edge& edge, int intervals);
+/// `intervals` + 1 points along a side of one or several edges, each edge with a part of the
+/// intervals' range in proportion to its length. The same uses run backwards give the same points.
+std::vector<Vec3> sample_side(const std::vector<Edge>& edges, const std::vector<EdgeUse>& side,
+                              int intervals);
+/// The corners of the axis-parallel box around some points; a point at the origin when there are
+/// none.
+struct Box {
+    Vec3 low;
+    Vec3 high;
+
+    double diagonal() const { return distance(low, high); }
+};
+Box box_around(const std::vector<Vec3>& points);
+
+}  // namespace hexweave
