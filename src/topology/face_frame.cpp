@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topology/face_frame.h"
+
+#include <cstdlib>
+
+namespace hexweave {
+
+namespace {
+
+constexpr std::array<std::array<int, 2>, 4> corner_positions{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+}  // namespace
+
+std::vector<EdgeUse> backwards(const std::vector<EdgeUse>& side) {
+    std::vector<EdgeUse> result;
+    result.reserve(side.size());
+    for (auto use = side.rbegin(); use != side.rend(); ++use) {
+        result.push_back({use->edge, !use->reversed});
+    }
+    return result;
+}
+
+FrameSides sides_in_frame(const FrameSides& face_sides, const Orientation& orientation) {
+    FrameSides result;
+    for (std::size_t own = 0; own < 2; ++own) {
+        const auto axis = static_cast<std::size_t>(std::abs(orientation.axes[own]) - 1);
+        const bool swapped = orientation.axes[own] < 0;
+        const bool against = orientation.axes[1 - own] < 0;
+        for (std::size_t max = 0; max < 2; ++max) {
+            const std::vector<EdgeUse>& side = face_sides[2 * axis + (swapped ? 1 - max : max)];
+            result[2 * own + max] = against ? backwards(side) : side;
+        }
+    }
+    return result;
+}
+
+std::array<int, 4> corners_in_frame(const std::array<int, 4>& corners,
+                                    const Orientation& orientation) {
+    std::array<int, 4> result{};
+    for (std::size_t n = 0; n < 4; ++n) {
+        std::array<int, 2> in_face{};
+        for (std::size_t own = 0; own < 2; ++own) {
+            const int position = corner_positions[n][own];
+            const auto axis = static_cast<std::size_t>(std::abs(orientation.axes[own]) - 1);
+            in_face[axis] = orientation.axes[own] < 0 ? 1 - position : position;
+        }
+        result[n] = corners[hexahedron_corner(in_face[0], in_face[1], 0)];
+    }
+    return result;
+}
+
+std::array<std::size_t, 4> corners_of_side(Side side) {
+    const std::array<int, 2> axes = tangential_axes(side);
+    std::array<std::size_t, 4> result{};
+    for (std::size_t n = 0; n < 4; ++n) {
+        std::array<int, 3> node{};
+        node[static_cast<std::size_t>(axis_of(side))] = is_max(side) ? 1 : 0;
+        for (std::size_t own = 0; own < 2; ++own) {
+            node[static_cast<std::size_t>(axes[own])] = corner_positions[n][own];
+        }
+        result[n] = hexahedron_corner(node[0], node[1], node[2]);
+    }
+    return result;
+}
+
+}  // namespace hexweave

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// A face seen in the axes of the block's side that it covers.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/orientation.h"
+#include "topology/topology.h"
+
+namespace hexweave {
+
+/// The four sides of a face as a block's side sees them: at the minimum and the maximum of its
+/// first axis (run along the second), then of its second (run along the first).
+using FrameSides = std::array<std::vector<EdgeUse>, 4>;
+
+/// The same edges run through backwards.
+std::vector<EdgeUse> backwards(const std::vector<EdgeUse>& side);
+
+/// `orientation` takes the block side's two axes to the face's.
+FrameSides sides_in_frame(const FrameSides& face_sides, const Orientation& orientation);
+/// The corners at (min, min), (max, min), (max, max), (min, max) of the block side's axes.
+std::array<int, 4> corners_in_frame(const std::array<int, 4>& corners,
+                                    const Orientation& orientation);
+
+/// Corner (i, j, k), each 0 or 1, in the order of the CGNS hexahedron.
+constexpr std::size_t hexahedron_corner(int i, int j, int k) {
+    const int in_layer = j == 0 ? i : 3 - i;
+    return static_cast<std::size_t>(4 * k + in_layer);
+}
+/// The hexahedron's corners at (min, min), (max, min), (max, max), (min, max) of a side's own axes.
+std::array<std::size_t, 4> corners_of_side(Side side);
+
+}  // namespace hexweave
