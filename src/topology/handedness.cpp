@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topology/handedness.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "topology/face_frame.h"
+#include "topology/sample.h"
+
+namespace hexweave {
+
+namespace {
+
+constexpr int intervals = 48;
+/// Less than this part of its own size squared (cubed) is no area (volume): round-off of the sums.
+constexpr double nothing = 1e-12;
+
+using Points = std::vector<Vec3>;
+
+/// A Coons patch: the bilinear blend of four sampled sides (in the order of FrameSides).
+Vec3 coons(const std::array<Points, 4>& sides, std::size_t a, std::size_t b) {
+    const auto last = static_cast<double>(intervals);
+    const double u = static_cast<double>(a) / last;
+    const double v = static_cast<double>(b) / last;
+    const Vec3 across = (1 - u) * sides[0][b] + u * sides[1][b];
+    const Vec3 along = (1 - v) * sides[2][a] + v * sides[3][a];
+    const Vec3 corners = (1 - v) * ((1 - u) * sides[0].front() + u * sides[1].front()) +
+                         v * ((1 - u) * sides[0].back() + u * sides[1].back());
+    return across + along - corners;
+}
+
+/// Six times the volume between the origin and a patch, seen from its axes' right-handed normal.
+double six_volumes(const std::array<Points, 4>& sides) {
+    double sum = 0;
+    for (std::size_t b = 0; b < intervals; ++b) {
+        for (std::size_t a = 0; a < intervals; ++a) {
+            const Vec3 p00 = coons(sides, a, b);
+            const Vec3 p10 = coons(sides, a + 1, b);
+            const Vec3 p11 = coons(sides, a + 1, b + 1);
+            const Vec3 p01 = coons(sides, a, b + 1);
+            sum += (triple(p00, p10, p11) + triple(p00, p11, p01) + triple(p00, p10, p01) +
+                    triple(p10, p11, p01)) /
+                   2;
+        }
+    }
+    return sum;
+}
+
+const Vec3& position(const Topology& topology, int vertex) {
+    return topology.vertices[static_cast<std::size_t>(vertex)].position;
+}
+
+std::array<Points, 4> sampled(const Topology& topology, const FrameSides& frame,
+                              const Vec3& origin) {
+    std::array<Points, 4> sides;
+    for (std::size_t s = 0; s < 4; ++s) {
+        sides[s] = sample_side(topology.edges, frame[s], intervals);
+        for (Vec3& p : sides[s]) p -= origin;
+    }
+    return sides;
+}
+
+/// The axes' normal points out of the block on imax, jmin and kmax.
+double outward_sign(Side side) {
+    return is_max(side) == (axis_of(side) != 1) ? 1 : -1;
+}
+
+std::string edges_text(const Topology& topology, const std::vector<EdgeUse>& side) {
+    std::vector<std::string> names;
+    for (const EdgeUse& use : side) {
+        names.push_back(topology.edges[static_cast<std::size_t>(use.edge)].name);
+    }
+    return listed(names);
+}
+
+template <std::size_t count>
+std::string corner_list(const std::array<Name, count>& corners,
+                        const std::array<std::size_t, count>& order) {
+    std::string text;
+    for (const std::size_t n : order) {
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", corners[n].value);
+    }
+    return text;
+}
+
+std::string face_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
+    if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
+        return fmt::format("list its corners the other way round: [{}]",
+                           corner_list(*corners, {0, 3, 2, 1}));
+    }
+    return fmt::format("swap its sides imin ({}) and imax ({})",
+                       edges_text(topology, face.side(Side::imin)),
+                       edges_text(topology, face.side(Side::imax)));
+}
+
+std::string block_remedy(const Topology& topology, const Block& block, const BlockEntry& entry) {
+    if (const auto* corners = std::get_if<std::array<Name, 8>>(&entry.shape)) {
+        return fmt::format("list its last four corners first: [{}]",
+                           corner_list(*corners, {4, 5, 6, 7, 0, 1, 2, 3}));
+    }
+    const auto name = [&](Side side) {
+        return quoted(topology.faces[static_cast<std::size_t>(block.side(side).face)].name);
+    };
+    return fmt::format("swap its sides kmin ({}) and kmax ({})", name(Side::kmin),
+                       name(Side::kmax));
+}
+
+void check_face(const Network& network, std::size_t index, Diagnostics& diagnostics) {
+    const Topology& topology = network.topology;
+    const Face& face = topology.faces[index];
+    double size = 0;
+    for (const auto& side : face.sides) {
+        for (const EdgeUse& use : side) size += network.edge(use.edge).length;
+    }
+    const double area = signed_area(topology, face);
+    if (area > nothing * size * size) return;
+    if (area >= -nothing * size * size) {
+        diagnostics.error(face.place, fmt::format("face {} encloses no area", quoted(face.name)),
+                          "its sides lie on top of each other");
+        return;
+    }
+    diagnostics.error(face.place,
+                      fmt::format("face {} is left-handed: seen from +z, i to j turns clockwise",
+                                  quoted(face.name)),
+                      face_remedy(topology, face, *network.face_entries[index]));
+}
+
+void check_block(const Network& network, std::size_t index, Diagnostics& diagnostics) {
+    const Topology& topology = network.topology;
+    const Block& block = topology.blocks[index];
+    Points corners;
+    for (const int corner : block.corners) corners.push_back(position(topology, corner));
+    for (const FaceUse& use : block.sides) {
+        for (const auto& side : network.face(use.face).sides) {
+            const Points points = sample_side(topology.edges, side, 8);
+            corners.insert(corners.end(), points.begin(), points.end());
+        }
+    }
+    const double size = box_around(corners).diagonal();
+    const double volume = signed_volume(topology, block);
+    if (volume > nothing * size * size * size) return;
+    if (volume >= -nothing * size * size * size) {
+        diagnostics.error(block.place,
+                          fmt::format("block {} encloses no volume", quoted(block.name)),
+                          "its sides lie on top of each other");
+        return;
+    }
+    diagnostics.error(block.place, fmt::format("block {} is left-handed", quoted(block.name)),
+                      block_remedy(topology, block, *network.block_entries[index]));
+}
+
+}  // namespace
+
+double signed_area(const Topology& topology, const Face& face) {
+    const Vec3 origin = position(topology, face.corners[0]);
+    const std::array<Points, 4> sides = sampled(topology, face.sides, origin);
+    double twice = 0;
+    const auto add = [&](const Points& points, double sign) {
+        for (std::size_t n = 1; n < points.size(); ++n) {
+            twice += sign * cross(points[n - 1], points[n]).z;
+        }
+    };
+    add(sides[2], 1);
+    add(sides[1], 1);
+    add(sides[3], -1);
+    add(sides[0], -1);
+    return twice / 2;
+}
+
+double signed_volume(const Topology& topology, const Block& block) {
+    const Vec3 origin = position(topology, block.corners[0]);
+    double six = 0;
+    for (const Side side : all_sides) {
+        const FaceUse& use = block.side(side);
+        const FrameSides frame = sides_in_frame(
+            topology.faces[static_cast<std::size_t>(use.face)].sides, use.orientation);
+        six += outward_sign(side) * six_volumes(sampled(topology, frame, origin));
+    }
+    return six / 6;
+}
+
+void check_handedness(const Network& network, Diagnostics& diagnostics) {
+    const Topology& topology = network.topology;
+    if (!network.three_dimensional && topology.planar) {
+        for (std::size_t f = 0; f < topology.faces.size(); ++f) {
+            check_face(network, f, diagnostics);
+        }
+    }
+    for (std::size_t b = 0; b < topology.blocks.size(); ++b) check_block(network, b, diagnostics);
+}
+
+}  // namespace hexweave
