@@ -1,2 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/resolve.h"
+
+#include <utility>
+
+#include "core/memory.h"
+#include "core/parallel.h"
+#include "topology/boundaries.h"
+#include "topology/counts.h"
+#include "topology/draft.h"
+#include "topology/handedness.h"
+#include "topology/limits.h"
+#include "topology/parallel_edges.h"
+#include "topology/spacing_propagation.h"
+
+namespace hexweave {
+
+namespace {
+
+/// Names, places, directions and orientations.
+Network connect(const Case& c, Diagnostics& diagnostics) {
+    Draft draft(c, diagnostics);
+    place_vertices(draft);
+    place_edges(draft);
+    place_corners(draft);
+    join_faces(draft);
+    join_corner_blocks(draft);
+    join_blocks(draft);
+    warn_unused(draft);
+    return sound_part(draft);
+}
+
+}  // namespace
+
+Topology resolve(const Case& c, Diagnostics& diagnostics) {
+    if (c.faces.empty() && c.blocks.empty() && !diagnostics.has_errors()) {
+        diagnostics.error(Place{c.source, 0, 0}, "the file describes no grid",
+                          "give it `faces`, or `blocks`");
+    }
+    Network network = connect(c, diagnostics);
+    measure_extent(network.topology, network.three_dimensional);
+    check_handedness(network, diagnostics);
+    const ParallelEdges parallels = parallel_edges(network.topology);
+    resolve_counts(network, parallels, diagnostics);
+    resolve_spacing(network, parallels, diagnostics);
+    resolve_boundaries(network, c, diagnostics);
+    resolve_symmetry_planes(network, c, diagnostics);
+    if (!diagnostics.has_errors() && check_zone_sizes(network.topology, diagnostics)) {
+        check_memory(network.topology, threads(), available_memory(), diagnostics);
+    }
+    diagnostics.sort();
+    if (diagnostics.has_errors()) throw InputError(diagnostics);
+
+    Topology topology = std::move(network.topology);
+    topology.title = c.title;
+    topology.units = c.units;
+    topology.provenance = c.provenance;
+    if (c.cgns_output) topology.cgns_output = c.cgns_output->value;
+    return topology;
+}
+
+}  // namespace hexweave

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boundaries: which sides of the grid belong to which family, and which lie on a symmetry plane.
+#pragma once
+
+#include "core/diagnostics.h"
+#include "topology/draft.h"
+
+namespace hexweave {
+
+/// The family of free sides that no boundary names.
+inline constexpr const char* unassigned_family = "unassigned";
+
+/// Fills the boundaries. Reports sides that more than two faces (blocks) share, boundaries on
+/// interior sides or named twice, and warns of free sides that no boundary names: they go to the
+/// family `unassigned`.
+void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostics);
+
+/// Checks that the sides of symmetry planes lie on them to 1e-9 of the grid's size, moves their
+/// vertices exactly there, and tells edges and faces of their planes.
+void resolve_symmetry_planes(Network& network, const Case& c, Diagnostics& diagnostics);
+
+}  // namespace hexweave

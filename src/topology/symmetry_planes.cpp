@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "topology/boundaries.h"
+#include "topology/sample.h"
+#include "topology/text.h"
+
+namespace hexweave {
+
+namespace {
+
+double& coordinate(Vec3& p, int axis) {
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+std::string plane_text(const AxisPlane& plane) {
+    constexpr const char* axes = "xyz";
+    return fmt::format("{} = {}", axes[plane.axis], number_text(plane.value));
+}
+
+Vec3& position(Topology& topology, int vertex) {
+    return topology.vertices[static_cast<std::size_t>(vertex)].position;
+}
+
+/// The greatest distance of an edge's vertices and sampled points from a plane.
+double distance_off(Topology& topology, const Edge& edge, const AxisPlane& plane) {
+    constexpr int intervals = 32;
+    std::vector<Vec3> points = sample_edge(edge, intervals);
+    points.push_back(position(topology, edge.start));
+    points.push_back(position(topology, edge.end));
+    double greatest = 0;
+    for (Vec3& p : points) {
+        greatest = std::max(greatest, std::abs(coordinate(p, plane.axis) - plane.value));
+    }
+    return greatest;
+}
+
+std::set<int> edges_of_side(const Network& network, int side) {
+    if (!network.three_dimensional) return {side};
+    std::set<int> edges;
+    for (const auto& uses : network.face(side).sides) {
+        for (const EdgeUse& use : uses) edges.insert(use.edge);
+    }
+    return edges;
+}
+
+bool has_plane(const Edge& edge, const AxisPlane& plane) {
+    return std::any_of(edge.planes.begin(), edge.planes.end(), [&](const AxisPlane& p) {
+        return p.axis == plane.axis && p.value == plane.value;
+    });
+}
+
+/// Moves an edge exactly onto its plane, or reports how far off it is.
+bool settle(Network& network, Edge& edge, const AxisPlane& plane, const Place& place,
+            Diagnostics& diagnostics) {
+    constexpr double tolerance = 1e-9;  // of the grid's size
+    if (has_plane(edge, plane)) return true;
+    Topology& topology = network.topology;
+    const double off = distance_off(topology, edge, plane);
+    if (off > tolerance * topology.size) {
+        diagnostics.error(place,
+                          fmt::format("edge {} is {} off the symmetry plane {}", quoted(edge.name),
+                                      number_text(off), plane_text(plane)),
+                          "every point of the side must be on the plane, to 1e-9 of the size of "
+                          "the grid");
+        return false;
+    }
+    for (const int vertex : {edge.start, edge.end}) {
+        coordinate(position(topology, vertex), plane.axis) = plane.value;
+    }
+    edge.planes.push_back(plane);
+    return true;
+}
+
+/// Straight lines follow vertices that were moved onto a plane.
+void straighten(Network& network) {
+    for (std::size_t e = 0; e < network.topology.edges.size(); ++e) {
+        const EdgeEntry* entry = network.edge_entries[e];
+        if (entry != nullptr && entry->along) continue;
+        Edge& edge = network.topology.edges[e];
+        make_straight(edge, position(network.topology, edge.start),
+                      position(network.topology, edge.end));
+    }
+}
+
+}  // namespace
+
+void resolve_symmetry_planes(Network& network, const Case& c, Diagnostics& diagnostics) {
+    bool moved = false;
+    for (const BoundaryEntry& entry : c.boundaries) {
+        if (!entry.plane) continue;
+        const NameTable& names =
+            network.three_dimensional ? network.face_names : network.edge_names;
+        for (const Name& name : entry.sides) {
+            std::optional<int> side;
+            if (network.three_dimensional) {
+                side = find_face(names, name.value);
+            } else if (const auto edge = find_edge(names, name.value)) {
+                side = edge->edge;
+            }
+            if (!side || *side < 0) continue;
+            bool on_plane = true;
+            for (const int edge : edges_of_side(network, *side)) {
+                on_plane = settle(network, network.edge(edge), entry.plane->value, name.place,
+                                  diagnostics) &&
+                           on_plane;
+            }
+            if (on_plane && network.three_dimensional) {
+                network.topology.faces[static_cast<std::size_t>(*side)].plane = entry.plane->value;
+            }
+            moved = true;
+        }
+    }
+    if (moved) straighten(network);
+}
+
+}  // namespace hexweave

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests of resolving: a case as text, its topology or all that is wrong with it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "topology/read_case.h"
+#include "topology/resolve.h"
+
+namespace hexweave {
+
+/// Reads and resolves a case; throws InputError when it has faults.
+inline Topology resolved(const std::string& text) {
+    Diagnostics diagnostics;
+    const auto source =
+        std::make_shared<const SourceFile>(SourceFile{"t.yaml", "hexweave: 1\n" + text});
+    const Case c = read_case(source, {}, diagnostics);
+    return resolve(c, diagnostics);
+}
+
+/// "12: error: message" (the line in the text given), then the notes as "  12: message" and the
+/// hint as "  hint: ...".
+inline std::string shown(const Diagnostic& d) {
+    const auto line = [](const Place& place) { return std::to_string(place.line - 1) + ": "; };
+    std::string text = line(d.place);
+    text += d.severity == Severity::error ? "error: " : "warning: ";
+    text += d.message + "\n";
+    for (const Note& note : d.notes) text += "  " + line(note.place) + note.message + "\n";
+    if (!d.hint.empty()) text += "  hint: " + d.hint + "\n";
+    return text;
+}
+
+/// All diagnostics of a case, empty when there are none.
+inline std::string faults(const std::string& text) {
+    Diagnostics diagnostics;
+    const auto source =
+        std::make_shared<const SourceFile>(SourceFile{"t.yaml", "hexweave: 1\n" + text});
+    try {
+        const Case c = read_case(source, {}, diagnostics);
+        resolve(c, diagnostics);
+    } catch (const InputError& error) {
+        if (!error.diagnostics.has_errors()) return "InputError without an error";
+    }
+    std::string all;
+    for (const Diagnostic& d : diagnostics.all()) all += shown(d);
+    return all;
+}
+
+template <class Entities>
+auto& named(const Entities& entities, const std::string& name) {
+    for (const auto& entity : entities) {
+        if (entity.name == name) return entity;
+    }
+    throw std::runtime_error("no entity is named " + name);
+}
+
+/// The uses of a side as names, reversed ones with a minus: "a -b".
+inline std::string side_text(const Topology& t, const std::vector<EdgeUse>& side) {
+    std::string text;
+    for (const EdgeUse& use : side) {
+        if (!text.empty()) text += ' ';
+        text += (use.reversed ? "-" : "") + t.edges[static_cast<std::size_t>(use.edge)].name;
+    }
+    return text;
+}
+
+}  // namespace hexweave
