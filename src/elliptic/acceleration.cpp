@@ -78,7 +78,8 @@ std::vector<double> Acceleration::best_combination(const Nodes& points,
         std::vector<double> g = solve_normal_equations(gram, first);
         if (!g.empty()) return g;
     }
-    return std::vector<double>(gram.size(), 0.0);
+    std::vector<double> none(gram.size(), 0.0);
+    return none;
 }
 
 /// Adds the changes that the last step brought, in the place of the oldest when the window is full.

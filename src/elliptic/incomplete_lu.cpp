@@ -7,7 +7,7 @@ namespace hexweave {
 
 namespace {
 
-using Entry = double;
+using Entry = float;
 
 /// How far the neighbours of a stencil lie, along each axis.
 using Step = std::array<int, 3>;
@@ -111,7 +111,7 @@ constexpr double entry_value(const Stencil& c, const Step& step) {
 }
 
 /// A pivot this small would let the preconditioner amplify; the centre of the stencil is 1.
-constexpr Entry least_pivot = 0.05;
+constexpr Entry least_pivot = 0.05F;
 
 template <int axes>
 void factor_rows(const NodeLattice& lattice, const Stencils& stencils, Entry* rows) {

@@ -11,7 +11,8 @@
 
 namespace hexweave {
 
-/// ILU(0) of minus the grid operator with zero boundary values, in the order of the nodes.
+/// ILU(0) of minus the grid operator with zero boundary values, in the order of the nodes. Kept in
+/// single precision: half the memory traffic, and the same number of iterations.
 class IncompleteLu {
 public:
     explicit IncompleteLu(const NodeLattice& lattice);
@@ -24,7 +25,7 @@ private:
     NodeLattice lattice_;
     /// 9 or 19 entries per node by ascending offset, the centre's inverted; boundary nodes: zeros,
     /// with which a neighbour's elimination and substitution come to nothing.
-    std::vector<double> rows_;
+    std::vector<float> rows_;
 };
 
 }  // namespace hexweave

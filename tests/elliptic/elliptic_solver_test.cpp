@@ -2,10 +2,13 @@
 // What the solver promises whatever the shape: fixed boundaries, honest statuses, one answer.
 #include "elliptic/elliptic_solver.h"
 
+#include <array>
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 #include "elliptic/shapes.h"
 
@@ -13,7 +16,8 @@ namespace hexweave {
 namespace {
 
 bool same_bits(const Vec3& a, const Vec3& b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    using Bits = std::array<std::uint64_t, 3>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 bool is_finite(const PointField& points) {

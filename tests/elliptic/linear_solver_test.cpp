@@ -70,7 +70,8 @@ TEST_CASE("no residual asks for no displacement") {
     CHECK(largest_difference(result, Nodes(result.size())) == 0);
 }
 
-TEST_CASE("factors of a single line of nodes, in any direction, are exact") {
+TEST_CASE(
+    "factors of a single line of nodes, in any direction, are exact but for single precision") {
     const auto map = [](double xi, double eta, double zeta) {
         return shapes::annulus(shapes::leaning(xi, eta, zeta));
     };
@@ -82,7 +83,7 @@ TEST_CASE("factors of a single line of nodes, in any direction, are exact") {
         factors.factor(p.stencils);
         Nodes result(p.residual.size());
         factors.solve(p.residual, result);
-        CHECK(largest_difference(result, p.displacement) < 1e-13);
+        CHECK(largest_difference(result, p.displacement) < 1e-5);
     }
 }
 
