@@ -2,6 +2,7 @@
 // What the solver promises whatever the shape: fixed boundaries, honest statuses, one answer.
 #include "elliptic/elliptic_solver.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <catch2/catch.hpp>
@@ -52,6 +53,17 @@ TEST_CASE("a solve that runs out of iterations says so and leaves finite points"
     CHECK(result.history.size() == 1);
     CHECK(result.displacement > 1e-3);
     CHECK(is_finite(problem.points));
+}
+
+TEST_CASE("the grid with the smallest displacement is the one that is kept") {
+    shapes::Problem problem = shapes::meander(65, 33, 1.7);
+    shapes::scatter(problem.points, {0, 0, 0}, {4, 2, 0});
+    // From so wild a start displacements rise before they fall, and the last is not the smallest.
+    const SolveResult result = solve_elliptic(problem.points, problem.parameters, {1e-3, 3});
+    const double smallest = *std::min_element(result.history.begin(), result.history.end());
+    REQUIRE(result.history.back() > smallest);
+    const SolveResult again = solve_elliptic(problem.points, problem.parameters, {1e-3, 1});
+    CHECK(again.history.front() == smallest);
 }
 
 TEST_CASE("boundary nodes keep their bits") {
