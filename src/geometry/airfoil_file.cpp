@@ -217,12 +217,13 @@ std::optional<Fault> arrange_section(Points& points) {
 /// Completes a symmetric half by its mirror image.
 std::optional<Fault> arrange_half(Points& points) {
     if (points.size() < fewest_points_of_a_half) return std::nullopt;
+    const int first_line = points.front().line;
     if (!begins_at_leading_edge(points)) std::reverse(points.begin(), points.end());
     const FilePoint nose = points.front();
     const XRange range = x_range(points);
     const bool reaches_trailing_edge = x_of(points.back()) - range.least > 0.5 * range.extent;
     if (!begins_at_leading_edge(points) || !reaches_trailing_edge) {
-        return Fault{"a whole section where a symmetric half is expected", nose.line};
+        return Fault{"a whole section where a symmetric half is expected", first_line};
     }
     if (std::abs(nose.position.y) > 1e-9 * range.extent) {
         return Fault{"the leading edge of a symmetric half must lie at y = 0", nose.line};

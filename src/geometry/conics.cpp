@@ -22,7 +22,7 @@ CosineSine of_quarter_turns(double quarters) {
     const double angle = (quarters - whole) * (std::numbers::pi / 2);
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    switch (static_cast<long long>(whole) & 3) {
+    switch (static_cast<int>(std::fmod(whole, 4)) & 3) {
         case 0:
             return {c, s};
         case 1:
@@ -103,8 +103,7 @@ CurveResult arc_through(const Vec3& start, const Vec3& middle, const Vec3& end) 
         return std::string("the three points of the arc lie on a straight line");
     }
     // The circumcentre of a triangle with one corner at the origin.
-    const Vec3 to_center =
-        cross(dot(u, u) * v - dot(v, v) * u, normal) / (-2 * dot(normal, normal));
+    const Vec3 to_center = cross(dot(u, u) * v - dot(v, v) * u, normal) / (2 * dot(normal, normal));
     const PlaneAxes axes = plane_axes(normal, -to_center).value_or(PlaneAxes{});
     const Vec3 center = start + to_center;
     const Vec3 last = end - center;
