@@ -148,7 +148,7 @@ TEST_CASE("the spline through NACA 0012 coordinates is the formula's shape") {
         worst = std::max(worst, project(exact, p).distance);
     }
     // 69 points of seven digits; the formula's slope of curvature jumps at the leading edge.
-    CHECK(behind < 1e-6);
+    CHECK(behind < 2e-6);
     CHECK(at_nose < 3e-5);
 }
 
