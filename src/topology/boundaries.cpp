@@ -74,7 +74,7 @@ void check_sharing(const Sides& sides, Diagnostics& diagnostics) {
             sides.places[n],
             fmt::format("{} {} is used {} times, by {}", sides.kind, quoted(sides.names[n]),
                         sides.users[n].size(), users_text(sides, sides.users[n])),
-            fmt::format("at most two {}s share a {}", sides.user, sides.kind));
+            fmt::format("at most two {}s share one {}", sides.user, sides.kind));
     }
 }
 

@@ -92,9 +92,13 @@ std::string face_remedy(const Topology& topology, const Face& face, const FaceEn
         return fmt::format("list its corners the other way round: [{}]",
                            corner_list(*corners, {0, 3, 2, 1}));
     }
-    return fmt::format("swap its sides imin ({}) and imax ({})",
-                       edges_text(topology, face.side(Side::imin)),
-                       edges_text(topology, face.side(Side::imax)));
+    // To swap the two sides of a cut would change nothing.
+    const bool cut = face.side(Side::imin) == face.side(Side::imax);
+    const Side low = cut ? Side::jmin : Side::imin;
+    const Side high = cut ? Side::jmax : Side::imax;
+    return fmt::format("swap its sides {} ({}) and {} ({})", side_name(low),
+                       edges_text(topology, face.side(low)), side_name(high),
+                       edges_text(topology, face.side(high)));
 }
 
 std::string block_remedy(const Topology& topology, const Block& block, const BlockEntry& entry) {
@@ -105,8 +109,11 @@ std::string block_remedy(const Topology& topology, const Block& block, const Blo
     const auto name = [&](Side side) {
         return quoted(topology.faces[static_cast<std::size_t>(block.side(side).face)].name);
     };
-    return fmt::format("swap its sides kmin ({}) and kmax ({})", name(Side::kmin),
-                       name(Side::kmax));
+    const bool cut = block.side(Side::kmin).face == block.side(Side::kmax).face;
+    const Side low = cut ? Side::jmin : Side::kmin;
+    const Side high = cut ? Side::jmax : Side::kmax;
+    return fmt::format("swap its sides {} ({}) and {} ({})", side_name(low), name(low),
+                       side_name(high), name(high));
 }
 
 void check_face(const Network& network, std::size_t index, Diagnostics& diagnostics) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "topology/law_equality.h"
+#include "topology/spacing_fit.h"
 
 namespace hexweave {
 
@@ -221,6 +222,15 @@ void set_own_law(Edge& edge, const EdgeEntry* entry) {
     }
 }
 
+void check_fit(const Edge& edge, const EdgeEntry* entry, Diagnostics& diagnostics) {
+    if (entry == nullptr || !entry->spacing || edge.cells == 0) return;
+    if (std::holds_alternative<SameAs>(edge.law)) return;
+    const std::string misfit = spacing_misfit(edge.law, edge.cells, edge.length);
+    if (misfit.empty()) return;
+    diagnostics.error(entry->spacing->place, fmt::format("the spacing of edge {} does not fit: {}",
+                                                         quoted(edge.name), misfit));
+}
+
 }  // namespace
 
 void resolve_spacing(Network& network, const ParallelEdges& parallels, Diagnostics& diagnostics) {
@@ -234,6 +244,7 @@ void resolve_spacing(Network& network, const ParallelEdges& parallels, Diagnosti
               std::vector<bool>(edges)};
     for (std::size_t e = 0; e < edges; ++e) {
         set_own_law(network.topology.edges[e], network.edge_entries[e]);
+        check_fit(network.topology.edges[e], network.edge_entries[e], diagnostics);
         find_like(laws, static_cast<int>(e));
     }
     for (std::size_t e = 0; e < edges; ++e) root_of(laws, static_cast<int>(e));

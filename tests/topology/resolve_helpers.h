@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -61,9 +62,41 @@ inline std::string side_text(const Topology& t, const std::vector<EdgeUse>& side
     std::string text;
     for (const EdgeUse& use : side) {
         if (!text.empty()) text += ' ';
-        text += (use.reversed ? "-" : "") + t.edges[static_cast<std::size_t>(use.edge)].name;
+        if (use.reversed) text += '-';
+        text += t.edges[static_cast<std::size_t>(use.edge)].name;
     }
     return text;
 }
+
+inline std::string edge_name(const Topology& t, int edge) {
+    return t.edges[static_cast<std::size_t>(edge)].name;
+}
+
+inline std::string vertex_name(const Topology& t, int vertex) {
+    return t.vertices[static_cast<std::size_t>(vertex)].name;
+}
+
+template <class Corners>
+std::string corner_text(const Topology& t, const Corners& corners) {
+    std::string text;
+    for (const int corner : corners) {
+        if (!text.empty()) text += ' ';
+        text += vertex_name(t, corner);
+    }
+    return text;
+}
+
+/// "same as NAME", with a minus where reversed; "own" for a law of its own.
+inline std::string law_text(const Topology& t, const Edge& edge) {
+    if (const auto* same = std::get_if<SameAs>(&edge.law)) {
+        std::string text = same->reversed ? "same as -" : "same as ";
+        text += edge_name(t, same->edge);
+        return text;
+    }
+    return "own";
+}
+
+/// What a valid topology promises, checked from the vertices: empty, or the first promise broken.
+std::string broken_promise(const Topology& t);
 
 }  // namespace hexweave

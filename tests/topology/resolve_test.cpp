@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+// Whole cases: what they resolve to.
 #include "topology/resolve.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "topology/resolve_helpers.h"
 
 using namespace hexweave;
 
 namespace {
+
+const double pi = std::acos(-1.0);
 
 const std::string naca = R"(
 parameters:
@@ -37,21 +41,179 @@ boundaries:
   farfield: {type: BCFarfield, sides: [out_up, out_low]}
 )";
 
+const std::string round_pipe = R"(
+parameters: {r: 1, q: 0.5, l: 3}
+curves:
+  circle0: {circle: {center: [0, 0, 0], radius: r}}
+  circle1: {circle: {center: [0, 0, l], radius: 2 * r}}
+vertices:
+  a0: {curve: circle0, at: 0.125}
+  b0: {curve: circle0, at: 0.375}
+  c0: {curve: circle0, at: 0.625}
+  d0: {curve: circle0, at: 0.875}
+  a1: {curve: circle1, at: 0.125}
+  b1: {curve: circle1, at: 0.375}
+  c1: {curve: circle1, at: 0.625}
+  d1: {curve: circle1, at: 0.875}
+  p0: [q, q]
+  q0: [-q, q]
+  r0: [-q, -q]
+  s0: [q, -q]
+  p1: [q, q, l]
+  q1: [-q, q, l]
+  r1: [-q, -q, l]
+  s1: [q, -q, l]
+edges:
+  north0: {from: a0, to: b0, along: circle0, through: [0, r], cells: 8}
+  west0:  {from: b0, to: c0, along: circle0, through: [-r, 0], cells: 9}
+  south0: {from: c0, to: d0, along: circle0, through: [0, -r]}
+  east0:  {from: d0, to: a0, along: circle0, through: [r, 0]}
+  north1: {from: a1, to: b1, along: circle1, through: [0, r, l]}
+  west1:  {from: b1, to: c1, along: circle1, through: [-r, 0, l]}
+  south1: {from: c1, to: d1, along: circle1, through: [0, -r, l]}
+  east1:  {from: d1, to: a1, along: circle1, through: [r, 0, l]}
+  spoke:  {from: a0, to: p0, cells: 5, spacing: {start: 1e-2}}
+  length: {from: a0, to: a1, cells: 12}
+blocks:
+  core:  {corners: [r0, s0, p0, q0, r1, s1, p1, q1]}
+  north: {corners: [q0, p0, a0, b0, q1, p1, a1, b1]}
+  west:  {corners: [r0, q0, b0, c0, r1, q1, b1, c1]}
+  south: {corners: [s0, r0, c0, d0, s1, r1, c1, d1]}
+  east:  {corners: [p0, s0, d0, a0, p1, s1, d1, a1]}
+boundaries:
+  wall:    {type: BCWallViscous, sides: [a0-b0-b1-a1, b0-c0-c1-b1, c0-d0-d1-c1, d0-a0-a1-d1]}
+  inflow:  {type: BCInflow, sides: [p0-q0-r0-s0, q0-p0-a0-b0, r0-q0-b0-c0, s0-r0-c0-d0, p0-s0-d0-a0]}
+  outflow: {type: BCOutflow, sides: [p1-q1-r1-s1, q1-p1-a1-b1, r1-q1-b1-c1, s1-r1-c1-d1, p1-s1-d1-a1]}
+)";
+
 }  // namespace
 
-TEST_CASE("An O-grid of two faces resolves") {
-    REQUIRE(faults(naca) == "");
+TEST_CASE("An O-grid of two faces resolves without a word") {
+    CHECK(faults(naca) == "");
     const Topology t = resolved(naca);
+    CHECK(broken_promise(t) == "");
     CHECK(t.planar);
     CHECK(t.size == Approx(40));
+    CHECK(t.cells() == 2 * 96 * 64);
     const Face& above = named(t.faces, "above");
     CHECK(side_text(t, above.side(Side::imin)) == "nose");
     CHECK(side_text(t, above.side(Side::jmax)) == "out_up");
-    CHECK(above.cells_i == 96);
-    CHECK(above.cells_j == 64);
+    CHECK(corner_text(t, above.corners) == "le te far_te far_le");
     const Edge& out_up = named(t.edges, "out_up");
-    CHECK(out_up.length == Approx(3.14159265358979 * 20));
-    CHECK(out_up.cells == 96);
-    CHECK(std::get<SameAs>(named(t.edges, "pressure").law).reversed);
-    CHECK(std::get<SameAs>(named(t.edges, "out_low").law).edge == 0);
+    CHECK(out_up.length == Approx(20 * pi).epsilon(1e-12));
+    CHECK(evaluate(*out_up.curve, (out_up.from + out_up.to) / 2).y == Approx(20));
+    CHECK(law_text(t, named(t.edges, "pressure")) == "same as -suction");
+    CHECK(law_text(t, named(t.edges, "out_up")) == "same as suction");
+    CHECK(law_text(t, named(t.edges, "out_low")) == "same as -suction");
+    CHECK(named(t.edges, "wake").asked_start == 1e-3);
+    CHECK_FALSE(named(t.edges, "wake").asked_end);
+    CHECK_FALSE(named(t.edges, "pressure").asked_start);
+}
+
+TEST_CASE("An O-grid of one face is cut by an edge that it uses on opposite sides") {
+    const std::string text = R"(
+curves:
+  inner: {circle: {center: [0, 0], radius: 1}}
+  outer: {circle: {center: [0, 0], radius: 2}}
+vertices: {a: [1, 0], b: [2, 0]}
+edges:
+  in:   {from: a, to: a, along: inner, cells: 16}
+  out:  {from: b, to: b, along: outer}
+  seam: {from: a, to: b, cells: 8}
+faces:
+  ring: {imin: seam, imax: seam, jmin: -in, jmax: -out}
+boundaries:
+  wall: {type: BCWall, sides: [in]}
+  far:  {type: BCFarfield, sides: [out]}
+)";
+    CHECK(faults(text) == "");
+    const Topology t = resolved(text);
+    CHECK(broken_promise(t) == "");
+    CHECK(corner_text(t, t.faces[0].corners) == "a a b b");
+    CHECK(side_text(t, t.faces[0].side(Side::jmin)) == "-in");
+    CHECK(named(t.edges, "in").length == Approx(2 * pi).epsilon(1e-12));
+    CHECK(t.cells() == 16 * 8);
+}
+
+TEST_CASE("A C-grid of four faces shares the wake, a C-grid of one face composes its side") {
+    const std::string shapes = R"(
+curves:
+  u: {naca: "0012", chord: 1, side: upper}
+  l: {naca: "0012", chord: 1, side: lower}
+  c: {polyline: [[2, -1], [-1, -1], [-1, 1], [2, 1]]}
+vertices: {te: [1, 0], le: [0, 0], out: [2, 0], lo: [2, -1], up: [2, 1], ml: [1, -1], mu: [1, 1], fr: [-1, 0]}
+)";
+    const std::string four = shapes + R"(
+edges:
+  wake: {from: te, to: out, cells: 8}
+  top:  {from: le, to: te, along: u, cells: 16}
+  bot:  {from: te, to: le, along: l, cells: 12}
+  nose: {from: le, to: fr, cells: 10}
+  fu:   {from: fr, to: mu, along: c}
+  fl:   {from: fr, to: ml, along: c}
+  wu:   {from: mu, to: up, along: c}
+  wl:   {from: ml, to: lo, along: c}
+faces:
+  above: {imin: nose, imax: te-mu, jmin: top, jmax: fu}
+  below: {imin: te-ml, imax: nose, jmin: bot, jmax: fl}
+  wake_above: {corners: [te, out, up, mu]}
+  wake_below: {corners: [out, te, ml, lo]}
+boundaries:
+  foil: {type: BCWall, sides: [top, bot]}
+  far:  {type: BCFarfield, sides: [fu, fl, wu, wl, out-up, lo-out]}
+)";
+    CHECK(faults(four) == "");
+    const Topology t = resolved(four);
+    CHECK(broken_promise(t) == "");
+    CHECK(side_text(t, named(t.faces, "below").side(Side::jmax)) == "-fl");
+    CHECK(side_text(t, named(t.faces, "below").side(Side::imin)) == "-ml-te");
+    CHECK(side_text(t, named(t.faces, "wake_below").side(Side::jmin)) == "-wake");
+    CHECK(named(t.edges, "ml-te").made);
+    CHECK(named(t.edges, "ml-te").cells == 10);
+    CHECK(t.cells() == 10 * (16 + 12 + 8 + 8));
+
+    const std::string one = shapes + R"(
+edges:
+  wake: {from: te, to: out, cells: 8}
+  top:  {from: le, to: te, along: u, cells: 16}
+  bot:  {from: te, to: le, along: l, cells: 12}
+  far:  {from: lo, to: up, along: c}
+  dn:   {from: out, to: lo, cells: 10}
+  upp:  {from: out, to: up}
+faces:
+  c: {imin: dn, imax: upp, jmin: [wake, bot, top, wake], jmax: far}
+boundaries:
+  foil:  {type: BCWall, sides: [top, bot]}
+  outer: {type: BCFarfield, sides: [far, dn, upp]}
+)";
+    CHECK(faults(one) == R"(6: warning: vertex 'ml' is not used
+6: warning: vertex 'mu' is not used
+6: warning: vertex 'fr' is not used
+)");
+    const Topology c = resolved(one);
+    CHECK(broken_promise(c) == "");
+    CHECK(side_text(c, c.faces[0].side(Side::jmin)) == "-wake bot top wake");
+    CHECK(named(c.edges, "far").cells == 8 + 12 + 16 + 8);
+    CHECK(law_text(c, named(c.edges, "far")) == "own");  // sides of several edges pass no law on
+}
+
+TEST_CASE("A pipe of five blocks by corners makes the edges and faces that are not drawn") {
+    CHECK(faults(round_pipe) == "");
+    const Topology t = resolved(round_pipe);
+    CHECK(broken_promise(t) == "");
+    CHECK_FALSE(t.planar);
+    CHECK(t.vertices.size() == 16);
+    CHECK(t.edges.size() == 2 * (4 + 4 + 4) + 8);
+    CHECK(t.faces.size() == 2 * 5 + 3 * 4);
+    CHECK(t.cells() == 12 * (8 * 9 + 2 * 5 * (8 + 9)));
+    const Edge& spoke = named(t.edges, "c1-r1");
+    CHECK(spoke.made);
+    CHECK(vertex_name(t, spoke.start) == "c1");
+    CHECK(law_text(t, spoke) == "same as spoke");
+    const Face& wall = named(t.faces, "a0-a1-b1-b0");
+    CHECK(wall.made);
+    CHECK(wall.solve.method == Method::elliptic);
+    CHECK(corner_text(t, wall.corners) == "a0 a1 b1 b0");
+    CHECK(t.boundaries.size() == 3);
+    CHECK(t.boundaries[0].sides.size() == 4);
 }
