@@ -304,8 +304,10 @@ TEST_CASE("a side of several edges has an interface or a patch for each") {
 TEST_CASE("a 2 by 2 H-grid of faces is joined along four edges") {
     HandBuilt built;
     std::vector<int> v;
+    v.reserve(9);
     for (int n = 0; n < 9; ++n) {
-        v.push_back(built.vertex({n % 3 + 0.1 * (n / 3), static_cast<double>(n / 3), 0}));
+        const int row = n / 3;
+        v.push_back(built.vertex({n % 3 + 0.1 * row, static_cast<double>(row), 0}));
     }
     for (const std::size_t n : {0U, 1U, 3U, 4U}) {
         built.quadrilateral({v[n], v[n + 1], v[n + 4], v[n + 3]}, 4, 4);
@@ -365,8 +367,10 @@ TEST_CASE("faces in space are a surface grid: cells of dimension 2 in 3 dimensio
 TEST_CASE("names longer than CGNS allows are shortened and stay unique and the same every time") {
     HandBuilt built;
     std::vector<int> v;
+    v.reserve(6);
     for (int n = 0; n < 6; ++n) {
-        v.push_back(built.vertex({static_cast<double>(n % 3), static_cast<double>(n / 3), 0}));
+        const int row = n / 3;
+        v.push_back(built.vertex({static_cast<double>(n % 3), static_cast<double>(row), 0}));
     }
     built.quadrilateral({v[0], v[1], v[4], v[3]}, 2, 2);
     built.quadrilateral({v[1], v[2], v[5], v[4]}, 2, 2);
