@@ -19,6 +19,10 @@ double blend(const std::array<double, 4>& v, double first, double second) {
     return between(between(v[0], v[1], first), between(v[2], v[3], first), second);
 }
 
+double mean(const std::array<double, 4>& v) {
+    return 0.25 * ((v[0] + v[1]) + (v[2] + v[3]));
+}
+
 /// The four numbers of the straight-line map of the plane at u.
 struct Plane {
     double s0;
@@ -49,19 +53,38 @@ double slope(const EdgeStations& e, const Plane& plane, const SquarePoint& p) {
     return 1 - u_s * s_slope - u_t * t_slope;
 }
 
+/// The normalized arc lengths on the four edges along one axis, node by node.
+std::vector<std::array<double, 4>> edge_stations(const PointField& boundary, int axis) {
+    const Extent n = boundary.extent();
+    const Node last{n.ni - 1, n.nj - 1, n.nk - 1};
+    const std::size_t first = axis == 0 ? 1 : 0;
+    const std::size_t second = axis == 2 ? 1 : 2;
+    std::vector<std::array<double, 4>> stations(static_cast<std::size_t>(n[axis]));
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+        Node start{};
+        if (edge % 2 == 1) start[first] = last[first];
+        if (edge / 2 == 1) start[second] = last[second];
+        const auto fractions = normalized_arc_length(grid_line(boundary, start, axis));
+        for (std::size_t node = 0; node < stations.size(); ++node) {
+            stations[node][edge] = fractions[node];
+        }
+    }
+    return stations;
+}
+
 }  // namespace
 
 CubePoint bilinear_point(const EdgeStations& stations) {
-    constexpr double resolution = 2 * std::numeric_limits<double>::epsilon();
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
     double low = 0;
     double high = 1;
-    double u = 0.25 * ((stations.u[0] + stations.u[1]) + (stations.u[2] + stations.u[3]));
+    double u = blend(stations.u, mean(stations.s), mean(stations.t));
     double step = 1;
-    while (std::abs(step) > resolution) {
+    while (std::abs(step) > rounding) {
         const Plane plane(stations, u);
         const SquarePoint p = plane.crossing();
         const double excess = u - blend(stations.u, p.s, p.t);
-        if (excess == 0) break;
+        if (std::abs(excess) <= rounding) break;
         (excess < 0 ? low : high) = u;
         const double newton = u - excess / slope(stations, plane, p);
         // Halve the bracket where Newton leaves it or no longer gains a factor of two.
@@ -77,37 +100,19 @@ CubePoint bilinear_point(const EdgeStations& stations) {
 
 ParameterField bilinear_map(const PointField& boundary) {
     const Extent n = boundary.extent();
-    const Node last{n.ni - 1, n.nj - 1, n.nk - 1};
-    // The four edges along each axis, in the order of EdgeStations.
-    std::array<std::array<std::vector<double>, 4>, 3> edges;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t first = axis == 0 ? 1 : 0;
-        const std::size_t second = axis == 2 ? 1 : 2;
-        for (std::size_t edge = 0; edge < 4; ++edge) {
-            Node start{};
-            if (edge % 2 == 1) start[first] = last[first];
-            if (edge / 2 == 1) start[second] = last[second];
-            edges[axis][edge] =
-                normalized_arc_length(grid_line(boundary, start, static_cast<int>(axis)));
-        }
-    }
-    const auto stations = [&](std::size_t axis, int index) {
-        std::array<double, 4> values{};
-        for (std::size_t edge = 0; edge < 4; ++edge) {
-            values[edge] = edges[axis][edge][static_cast<std::size_t>(index)];
-        }
-        return values;
-    };
+    const auto along_i = edge_stations(boundary, 0);
+    const auto along_j = edge_stations(boundary, 1);
+    const auto along_k = edge_stations(boundary, 2);
     ParameterField parameters{Field(n), Field(n), Field(n)};
-    parallel_for(static_cast<std::size_t>(n.nk), [&](std::size_t layer) {
-        const int k = static_cast<int>(layer);
-        for (int j = 0; j < n.nj; ++j) {
-            for (int i = 0; i < n.ni; ++i) {
-                const CubePoint p =
-                    bilinear_point({stations(0, i), stations(1, j), stations(2, k)});
-                parameters.s(i, j, k) = p.s;
-                parameters.t(i, j, k) = p.t;
-                parameters.u(i, j, k) = p.u;
+    parallel_for(static_cast<std::size_t>(n.nk), [&](std::size_t k) {
+        std::size_t node = n.offset(0, 0, static_cast<int>(k));
+        for (const auto& t : along_j) {
+            for (const auto& s : along_i) {
+                const CubePoint p = bilinear_point({s, t, along_k[k]});
+                parameters.s[node] = p.s;
+                parameters.t[node] = p.t;
+                parameters.u[node] = p.u;
+                ++node;
             }
         }
     });
