@@ -64,8 +64,7 @@ void append_legend(const Scene& scene, const PictureOptions& options, const Fram
         const double side = swatch * scale;
         const Polyline square{
             {left, top}, {left + side, top}, {left + side, top + side}, {left, top + side}};
-        drawing.items.emplace_back(Fill{
-            {square}, scene.flat && !scene.tinted ? entry.colour : surface_colour(entry.colour)});
+        drawing.items.emplace_back(Fill{{square}, entry.colour});
         Polyline outline = square;
         outline.push_back(outline.front());
         drawing.items.emplace_back(Stroke{{outline}, line_shade(entry.colour), scale});

@@ -68,6 +68,7 @@ std::string unknown(const std::string& kind, const std::string& name,
 template <class Named>
 std::vector<std::string> names_of(const std::vector<Named>& things) {
     std::vector<std::string> names;
+    names.reserve(things.size());
     for (const Named& thing : things) names.push_back(thing.name);
     return names;
 }
@@ -165,10 +166,12 @@ public:
                     ? "the picture would be empty: neither boundary nor index plane"
                     : "the picture would be empty: no surface belongs to the families");
         }
+        const bool lines = by_family_ && grid_.cell_dimension == 2;
         const auto list = [&](const auto& things, const std::vector<bool>& seen) {
             for (std::size_t i = 0; i < things.size(); ++i) {
                 if (!seen[i]) continue;
-                scene_.legend.push_back({things[i].name, palette(static_cast<int>(i))});
+                const Colour colour = palette(static_cast<int>(i));
+                scene_.legend.push_back({things[i].name, lines ? colour : surface_colour(colour)});
             }
         };
         if (by_family_) {

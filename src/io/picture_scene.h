@@ -29,7 +29,7 @@ struct SceneEdge {
 
 struct LegendEntry {
     std::string name;
-    Colour colour;
+    Colour colour;  ///< as it is drawn
 };
 
 struct Scene {

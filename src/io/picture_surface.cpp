@@ -278,8 +278,8 @@ private:
     }
 
     bool seen(const std::array<Sight, 4>& tile) const {
-        for (const double t : {0.5, 0.15, 0.85}) {
-            for (const double s : {0.5, 0.15, 0.85}) {
+        for (const double t : {0.5, 0.02, 0.98, 0.25, 0.75}) {
+            for (const double s : {0.5, 0.02, 0.98, 0.25, 0.75}) {
                 if (raster_.sees(between(tile, s, t))) return true;
             }
         }

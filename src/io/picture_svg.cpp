@@ -78,7 +78,8 @@ void append(std::string& text, const Stroke& stroke) {
 
 // Each tile is outlined in its own colour, or the seams between them would shine through.
 void append(std::string& text, const Mosaic& mosaic) {
-    text += "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.5\">\n";
+    text += R"(<g fill="currentColor" stroke="currentColor" stroke-width="0.5">)";
+    text += '\n';
     for (std::size_t i = 0; i < mosaic.tiles.size();) {
         const Colour colour = mosaic.tiles[i].colour;
         text += "<path color=\"" + hex(colour) + "\" d=\"";

@@ -4,6 +4,7 @@
 #include <cairo.h>
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <cstring>
 
 namespace hexweave::samples {
@@ -66,11 +67,11 @@ Image read_png(const std::filesystem::path& path) {
     image.width = cairo_image_surface_get_width(surface);
     image.height = cairo_image_surface_get_height(surface);
     const unsigned char* const data = cairo_image_surface_get_data(surface);
-    const int stride = cairo_image_surface_get_stride(surface);
+    const auto stride = static_cast<std::ptrdiff_t>(cairo_image_surface_get_stride(surface));
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             std::uint32_t rgb = 0;
-            std::memcpy(&rgb, data + y * stride + 4 * x, sizeof rgb);
+            std::memcpy(&rgb, data + y * stride + std::ptrdiff_t{4} * x, sizeof rgb);
             image.pixels.push_back({static_cast<int>(rgb >> 16U & 255U),
                                     static_cast<int>(rgb >> 8U & 255U),
                                     static_cast<int>(rgb & 255U)});
