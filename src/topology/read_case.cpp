@@ -78,7 +78,7 @@ void refuse_section(Reading& reading, const YamlNode& root, std::string_view key
     if (section == nullptr || section->is_null()) return;
     if (section->is_mapping() && section->children.empty()) return;
     reading.diagnostics.error(section->key_place,
-                              fmt::format("'{}' come with a later version", key),
+                              fmt::format("the section '{}' comes with a later version", key),
                               "leave the section out");
 }
 
@@ -142,7 +142,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     const std::optional<YamlNode> root = read_yaml(source, diagnostics);
     if (!root) return c;
 
-    Reading reading{diagnostics, source, {}};
+    Reading reading{diagnostics, source};
     if (!root->is_mapping()) {
         diagnostics.error(root->place,
                           fmt::format("a case must be a mapping, not {}", describe(*root)),

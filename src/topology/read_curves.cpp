@@ -4,20 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <utility>
 
-#include "geometry/airfoil.h"
-#include "geometry/conics.h"
-#include "geometry/formula.h"
-#include "geometry/lines.h"
-#include "geometry/naca.h"
-#include "geometry/spline.h"
 #include "geometry/transform.h"
-#include "topology/read_data_file.h"
+#include "topology/read_shapes.h"
 #include "topology/read_transforms.h"
 
 namespace hexweave {
@@ -33,237 +25,6 @@ struct CurvesSoFar {
     std::vector<CurveEntry> entries;
     std::map<std::string, int> descent;  ///< how many curves each is made of, in a row
 };
-
-using MaybeCurve = std::optional<Curve>;
-
-/// A maker's curve, or its fault told at the node that holds the data.
-MaybeCurve accept(Reading& reading, const YamlNode& node, CurveResult result) {
-    if (!result.curve) reading.diagnostics.error(node.place, result.error);
-    return std::move(result.curve);
-}
-
-std::optional<std::vector<Vec3>> read_points(Reading& reading, const YamlNode& node,
-                                             const std::string& what) {
-    if (node.is_mapping()) {
-        if (!expect_mapping(reading, node, what, {"file"})) return std::nullopt;
-        const YamlNode* file = require(reading, node, "file", what);
-        if (file == nullptr) return std::nullopt;
-        return read_point_file(reading, *file, "'file'");
-    }
-    if (!expect_list(reading, node, what)) return std::nullopt;
-    std::vector<Vec3> points;
-    for (const YamlNode& item : node.children) {
-        const auto point = read_point(reading, item, fmt::format("a point of {}", what));
-        if (point) points.push_back(*point);
-    }
-    if (points.size() != node.children.size()) return std::nullopt;
-    return points;
-}
-
-MaybeCurve read_line(Reading& reading, const YamlNode& node) {
-    if (!expect_list(reading, node, "'line'", 2)) return std::nullopt;
-    const auto points = read_points(reading, node, "'line'");
-    if (!points) return std::nullopt;
-    if (!((*points)[0] == (*points)[1])) return straight_line((*points)[0], (*points)[1]);
-    reading.diagnostics.error(node.place, "the two points of this line are the same");
-    return std::nullopt;
-}
-
-MaybeCurve read_polyline(Reading& reading, const YamlNode& node) {
-    const auto points = read_points(reading, node, "'polyline'");
-    return points ? accept(reading, node, polyline(*points)) : std::nullopt;
-}
-
-MaybeCurve read_spline(Reading& reading, const YamlNode& node) {
-    const auto points = read_points(reading, node, "'spline'");
-    return points ? accept(reading, node, spline(*points)) : std::nullopt;
-}
-
-/// The plane of a circle, arc or ellipse: its `normal`, or z.
-std::optional<PlaneAxes> read_plane(Reading& reading, const YamlNode& node) {
-    const YamlNode* normal = node.find("normal");
-    if (normal == nullptr) return PlaneAxes{};
-    const auto direction = read_point(reading, *normal, "'normal'");
-    if (!direction) return std::nullopt;
-    const auto axes = plane_axes(*direction);
-    if (!axes) reading.diagnostics.error(normal->place, "'normal' must not be zero");
-    return axes;
-}
-
-/// The values of required keys that are numbers or points.
-template <class Value, class Reader>
-std::optional<Value> read_required(Reading& reading, const YamlNode& node, std::string_view key,
-                                   const std::string& what, Reader read) {
-    const YamlNode* value = require(reading, node, key, what);
-    return value == nullptr ? std::nullopt : read(reading, *value, fmt::format("'{}'", key));
-}
-
-MaybeCurve read_circle(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'circle'", {"center", "radius", "normal"})) return {};
-    const auto center = read_required<Vec3>(reading, node, "center", "'circle'", read_point);
-    const auto radius = read_required<double>(reading, node, "radius", "'circle'", read_positive);
-    const auto axes = read_plane(reading, node);
-    if (!center || !radius || !axes) return std::nullopt;
-    return circle(*center, *radius, *axes);
-}
-
-MaybeCurve read_arc_through(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'arc' with 'through'", {"through"})) return std::nullopt;
-    const YamlNode& through = *node.find("through");
-    if (!expect_list(reading, through, "'through'", 3)) return std::nullopt;
-    const auto points = read_points(reading, through, "'through'");
-    if (!points) return std::nullopt;
-    return accept(reading, through, arc_through((*points)[0], (*points)[1], (*points)[2]));
-}
-
-MaybeCurve read_arc(Reading& reading, const YamlNode& node) {
-    if (node.find("through") != nullptr) return read_arc_through(reading, node);
-    const Keys keys{"center", "radius", "from", "to", "normal", "through"};
-    if (!expect_mapping(reading, node, "'arc'", keys)) return std::nullopt;
-    const auto center = read_required<Vec3>(reading, node, "center", "'arc'", read_point);
-    const auto radius = read_required<double>(reading, node, "radius", "'arc'", read_positive);
-    const auto from = read_required<double>(reading, node, "from", "'arc'", read_number);
-    const auto to = read_required<double>(reading, node, "to", "'arc'", read_number);
-    const auto axes = read_plane(reading, node);
-    if (!center || !radius || !from || !to || !axes) return std::nullopt;
-    const double turn = std::abs(*to - *from);
-    if (turn > 0 && turn <= 2 * std::numbers::pi * (1 + 1e-12)) {
-        const double limit = 2 * std::numbers::pi;
-        const double end = turn <= limit ? *to : *from + (*to > *from ? limit : -limit);
-        return arc(*center, *radius, *from, end, *axes);
-    }
-    reading.diagnostics.error(node.find("to")->place,
-                              fmt::format("this arc turns by {} radians; it must turn, and at most "
-                                          "once round",
-                                          *to - *from),
-                              "angles are in radians: 90 degrees are pi/2");
-    return std::nullopt;
-}
-
-MaybeCurve read_ellipse(Reading& reading, const YamlNode& node) {
-    const Keys keys{"center", "semi_axes", "angle", "normal"};
-    if (!expect_mapping(reading, node, "'ellipse'", keys)) return std::nullopt;
-    const auto center = read_required<Vec3>(reading, node, "center", "'ellipse'", read_point);
-    const YamlNode* axes = require(reading, node, "semi_axes", "'ellipse'");
-    std::optional<double> a;
-    std::optional<double> b;
-    if (axes != nullptr && expect_list(reading, *axes, "'semi_axes'", 2)) {
-        a = read_positive(reading, axes->children[0], "a half-axis");
-        b = read_positive(reading, axes->children[1], "a half-axis");
-    }
-    const YamlNode* turned = node.find("angle");
-    const auto angle = turned == nullptr ? 0.0 : read_number(reading, *turned, "'angle'");
-    const auto plane = read_plane(reading, node);
-    if (!center || !a || !b || !angle || !plane) return std::nullopt;
-    return ellipse(*center, *a, *b, *angle, *plane);
-}
-
-const Keys side_names{"upper", "lower", "whole"};
-constexpr std::array<AirfoilSide, 3> sides{AirfoilSide::upper, AirfoilSide::lower,
-                                           AirfoilSide::whole};
-
-std::optional<AirfoilSide> read_side(Reading& reading, const YamlNode& entry) {
-    const YamlNode* side = entry.find("side");
-    if (side == nullptr) return AirfoilSide::whole;
-    const auto choice = read_choice(reading, *side, "'side'", side_names);
-    return choice ? std::optional(sides.at(*choice)) : std::nullopt;
-}
-
-MaybeCurve read_naca(Reading& reading, const YamlNode& entry) {
-    const YamlNode& code = *entry.find("naca");
-    const auto digits = read_text(reading, code, "'naca'");
-    const YamlNode* length = entry.find("chord");
-    const auto chord = length == nullptr ? 1.0 : read_positive(reading, *length, "'chord'");
-    const auto side = read_side(reading, entry);
-    const YamlNode* edge = entry.find("trailing_edge");
-    const auto blunt = edge == nullptr
-                           ? std::optional<std::size_t>(0)
-                           : read_choice(reading, *edge, "'trailing_edge'", {"sharp", "blunt"});
-    if (!digits || !chord || !side || !blunt) return std::nullopt;
-    const TrailingEdge trailing = *blunt == 0 ? TrailingEdge::sharp : TrailingEdge::blunt;
-    return accept(reading, code, naca4(*digits, *chord, *side, trailing));
-}
-
-/// A switch that is off when it is not there.
-std::optional<bool> read_optional_switch(Reading& reading, const YamlNode& entry,
-                                         std::string_view key) {
-    const YamlNode* node = entry.find(key);
-    return node == nullptr ? false : read_switch(reading, *node, fmt::format("'{}'", key));
-}
-
-MaybeCurve read_airfoil_curve(Reading& reading, const YamlNode& entry) {
-    const YamlNode& name = *entry.find("airfoil");
-    const auto file = read_data_file(reading, name, "'airfoil'");
-    const auto side = read_side(reading, entry);
-    const auto close = read_optional_switch(reading, entry, "close_trailing_edge");
-    const auto half = read_optional_switch(reading, entry, "symmetric_half");
-    const YamlNode* length = entry.find("chord");
-    std::optional<double> chord;
-    if (length != nullptr) {
-        chord = read_positive(reading, *length, "'chord'");
-        if (!chord) return std::nullopt;
-    }
-    if (!file || !side || !close || !half) return std::nullopt;
-    const AirfoilContent content = *half ? AirfoilContent::symmetric_half : AirfoilContent::section;
-    CurveResult result = airfoil_from_text(file->text, content, {*side, *close, chord});
-    if (!result.curve) tell_file_fault(reading, name, file, result.error, result.line);
-    return std::move(result.curve);
-}
-
-/// Where a formula is not finite, found on a fine net of its range; tells it.
-bool check_finite(Reading& reading, const YamlNode& node,
-                  const std::function<double(double)>& formula, double begin, double end) {
-    constexpr int samples = 256;
-    for (int i = 0; i <= samples; ++i) {
-        const double t = begin + (end - begin) * i / samples;
-        if (std::isfinite(formula(t))) continue;
-        reading.diagnostics.error(node.place,
-                                  fmt::format("'{}' is not finite at t = {}", shown(node.text), t));
-        return false;
-    }
-    return true;
-}
-
-MaybeCurve read_formula_curve(Reading& reading, const YamlNode& entry) {
-    const YamlNode& node = *entry.find("formula");
-    const YamlNode* range = require(reading, entry, "range", fmt::format("curve '{}'", entry.key));
-    std::optional<double> begin;
-    std::optional<double> end;
-    if (range != nullptr && expect_list(reading, *range, "'range'", 2)) {
-        begin = read_number(reading, range->children[0], "the begin of 'range'");
-        end = read_number(reading, range->children[1], "the end of 'range'");
-    }
-    const std::size_t size = node.children.size();
-    if (!node.is_sequence() || size < 2 || size > 3) {
-        reading.diagnostics.error(node.place,
-                                  "'formula' must be a list of two or three formulas of t",
-                                  "write [x, y] or [x, y, z], as in [cos(t), sin(t)]");
-        return std::nullopt;
-    }
-    std::array<std::function<double(double)>, 3> parts;
-    parts[2] = [](double) { return 0.0; };
-    bool sound = true;
-    for (std::size_t i = 0; i < size; ++i) {
-        auto part = read_formula(reading, node.children[i], "a part of 'formula'");
-        sound = sound && part;
-        if (part) parts.at(i) = std::move(*part);
-    }
-    if (!sound || !begin || !end) return std::nullopt;
-    if (*begin >= *end) {
-        reading.diagnostics.error(
-            range->place, fmt::format("'range' must ascend, not run from {} to {}", *begin, *end));
-        return std::nullopt;
-    }
-    for (std::size_t i = 0; i < size; ++i) {
-        sound = check_finite(reading, node.children[i], parts.at(i), *begin, *end) && sound;
-    }
-    if (!sound) return std::nullopt;
-    return formula(
-        [parts](double t) {
-            return Vec3{parts[0](t), parts[1](t), parts[2](t)};
-        },
-        *begin, *end);
-}
 
 MaybeCurve read_other_curve(Reading& reading, CurvesSoFar& curves, const YamlNode& entry) {
     const YamlNode& node = *entry.find("of");
@@ -298,95 +59,71 @@ MaybeCurve read_other_curve(Reading& reading, CurvesSoFar& curves, const YamlNod
     return *other->shape;
 }
 
-/// A family of curves: its key, and the keys that may stand beside it.
-struct Family {
-    std::string_view key;
-    Keys further;
-};
-
-const std::vector<Family>& families() {
-    static const std::vector<Family> list{
-        {"line", {}},
-        {"polyline", {}},
-        {"spline", {}},
-        {"circle", {}},
-        {"arc", {}},
-        {"ellipse", {}},
-        {"naca", {"chord", "side", "trailing_edge"}},
-        {"airfoil", {"chord", "side", "close_trailing_edge", "symmetric_half"}},
-        {"formula", {"range"}},
-        {"of", {}},
-    };
-    return list;
+const Keys& family_names() {
+    static const Keys names = [] {
+        Keys list;
+        for (const CurveFamily& family : curve_families()) list.push_back(family.key);
+        list.emplace_back("of");
+        return list;
+    }();
+    return names;
 }
 
-MaybeCurve read_shape(Reading& reading, CurvesSoFar& curves, const YamlNode& entry,
-                      std::string_view family) {
-    const YamlNode& data = *entry.find(family);
-    if (family == "line") return read_line(reading, data);
-    if (family == "polyline") return read_polyline(reading, data);
-    if (family == "spline") return read_spline(reading, data);
-    if (family == "circle") return read_circle(reading, data);
-    if (family == "arc") return read_arc(reading, data);
-    if (family == "ellipse") return read_ellipse(reading, data);
-    if (family == "naca") return read_naca(reading, entry);
-    if (family == "airfoil") return read_airfoil_curve(reading, entry);
-    if (family == "formula") return read_formula_curve(reading, entry);
-    return read_other_curve(reading, curves, entry);
+/// Tells what is wrong with the shape of a curve.
+void tell_shape(Reading& reading, const Place& place, const std::string& message) {
+    reading.diagnostics.error(place, message,
+                              fmt::format("it has one key of {}", fmt::join(family_names(), ", ")));
 }
 
-/// The one family that an entry names.
-const Family* read_family(Reading& reading, const YamlNode& entry, const std::string& what) {
-    Keys names;
-    for (const Family& f : families()) names.push_back(f.key);
+/// The key of the one family that an entry names; empty after an error.
+std::string read_family(Reading& reading, const YamlNode& entry, const std::string& what) {
     if (!entry.is_mapping()) {
-        reading.diagnostics.error(
-            entry.is_null() ? entry.key_place : entry.place,
-            fmt::format("{} must be a mapping, not {}", what, describe(entry)),
-            fmt::format("it has one key of {}", fmt::join(names, ", ")));
-        return nullptr;
+        tell_shape(reading, entry.is_null() ? entry.key_place : entry.place,
+                   fmt::format("{} must be a mapping, not {}", what, describe(entry)));
+        return {};
     }
-    const Family* found = nullptr;
+    const Keys& names = family_names();
+    std::string found;
     for (const YamlNode& child : entry.children) {
-        const auto family = std::find_if(families().begin(), families().end(),
-                                         [&](const Family& f) { return f.key == child.key; });
-        if (family == families().end()) continue;
-        if (found != nullptr) {
-            reading.diagnostics.error(child.key_place,
-                                      fmt::format("{} is already given by '{}'", what, found->key),
-                                      fmt::format("it has one key of {}", fmt::join(names, ", ")));
-            return nullptr;
+        if (std::find(names.begin(), names.end(), child.key) == names.end()) continue;
+        if (!found.empty()) {
+            tell_shape(reading, child.key_place,
+                       fmt::format("{} is already given by '{}'", what, found));
+            return {};
         }
-        found = &*family;
+        found = child.key;
     }
-    if (found != nullptr) return found;
+    if (!found.empty()) return found;
     for (const YamlNode& child : entry.children) {
         const std::string nearest = nearest_name(child.key, {names.begin(), names.end()});
         if (nearest.empty()) continue;
         reading.diagnostics.error(child.key_place,
                                   fmt::format("unknown key '{}' in {}", shown(child.key), what),
                                   fmt::format("did you mean '{}'?", nearest));
-        return nullptr;
+        return {};
     }
-    reading.diagnostics.error(entry.key_place, fmt::format("{} has no shape", what),
-                              fmt::format("it has one key of {}", fmt::join(names, ", ")));
-    return nullptr;
+    tell_shape(reading, entry.key_place, fmt::format("{} has no shape", what));
+    return {};
 }
 
 std::shared_ptr<const Curve> read_curve(Reading& reading, CurvesSoFar& curves,
                                         const YamlNode& entry) {
     const std::string what = fmt::format("curve '{}'", shown(entry.key));
-    const Family* family = read_family(reading, entry, what);
-    if (family == nullptr) return nullptr;
-    Keys keys{family->key};
-    keys.insert(keys.end(), family->further.begin(), family->further.end());
+    const std::string key = read_family(reading, entry, what);
+    if (key.empty()) return nullptr;
+    const auto family = std::find_if(curve_families().begin(), curve_families().end(),
+                                     [&](const CurveFamily& f) { return f.key == key; });
+    const bool of_another = family == curve_families().end();
+    Keys keys{key};
+    if (!of_another) keys.insert(keys.end(), family->further.begin(), family->further.end());
     keys.insert(keys.end(), transform_keys().begin(), transform_keys().end());
     keys.emplace_back("reverse");
     expect_mapping(reading, entry, what, keys);
 
-    MaybeCurve shape = read_shape(reading, curves, entry, family->key);
+    MaybeCurve shape =
+        of_another ? read_other_curve(reading, curves, entry) : family->read(reading, entry);
     const std::optional<std::vector<Affine>> maps = read_transforms(reading, entry, what);
-    const std::optional<bool> backwards = read_optional_switch(reading, entry, "reverse");
+    const std::optional<bool> backwards = read_switch(reading, entry, "reverse");
     if (!shape || !maps || !backwards) return nullptr;
     if (!maps->empty()) {
         Affine whole;

@@ -29,8 +29,9 @@ std::variant<Vec3, OnCurve> read_place(Reading& reading, const YamlNode& entry,
     expect_mapping(reading, entry, what, {"curve", "at"},
                    {{"surface", "surfaces come with a later version", ""}});
     if (on_surface) return faulty;
-    const YamlNode* curve = require(reading, entry, "curve", what);
-    const YamlNode* at = require(reading, entry, "at", what);
+    tell_lacking(reading, entry, {"curve", "at"}, what);
+    const YamlNode* curve = entry.find("curve");
+    const YamlNode* at = entry.find("at");
     Name name;
     if (curve != nullptr) name = read_name(reading, *curve, "'curve'");
     const auto fraction = at == nullptr ? std::nullopt : read_number(reading, *at, "'at'");
@@ -42,10 +43,9 @@ std::variant<Vec3, OnCurve> read_place(Reading& reading, const YamlNode& entry,
     return faulty;
 }
 
-/// The name under a key that must be there; empty where it is faulty.
-Name read_required_name(Reading& reading, const YamlNode& entry, std::string_view key,
-                        const std::string& what) {
-    const YamlNode* node = require(reading, entry, key, what);
+/// The name under a key; empty where it is faulty or not there.
+Name read_name_at(Reading& reading, const YamlNode& entry, std::string_view key) {
+    const YamlNode* node = entry.find(key);
     return node == nullptr ? Name{{}, entry.key_place}
                            : read_name(reading, *node, fmt::format("'{}'", key));
 }
@@ -66,8 +66,9 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
                           "give a spacing with 'start', 'end' or 'positions'"}})) {
         return edge;
     }
-    edge.from = read_required_name(reading, node, "from", what);
-    edge.to = read_required_name(reading, node, "to", what);
+    tell_lacking(reading, node, {"from", "to"}, what);
+    edge.from = read_name_at(reading, node, "from");
+    edge.to = read_name_at(reading, node, "to");
     if (const YamlNode* along = node.find("along")) {
         edge.along = read_name(reading, *along, "'along'");
     }

@@ -110,8 +110,9 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
         face.shape = read_corners<4>(reading, *node.find("corners"));
         return face;
     }
+    tell_lacking(reading, node, sides, what);
     for (std::size_t n = 0; n < 4; ++n) {
-        const YamlNode* side = require(reading, node, sides[n], what);
+        const YamlNode* side = node.find(sides[n]);
         if (side != nullptr)
             edges.at(n) = read_face_side(reading, *side, fmt::format("'{}'", sides[n]));
     }
@@ -174,8 +175,9 @@ BlockEntry read_block(Reading& reading, const YamlNode& node) {
         block.shape = read_corners<8>(reading, *node.find("corners"));
         return block;
     }
+    tell_lacking(reading, node, sides, what);
     for (std::size_t n = 0; n < 6; ++n) {
-        const YamlNode* side = require(reading, node, sides[n], what);
+        const YamlNode* side = node.find(sides[n]);
         if (side != nullptr)
             faces.at(n) = read_block_side(reading, *side, fmt::format("'{}'", sides[n]));
     }
@@ -227,10 +229,11 @@ std::optional<AxisPlane> read_axis_plane(Reading& reading, const YamlNode& node)
             "write \"z = 0\", or x or y for z");
         return std::nullopt;
     }
+    const std::size_t begin = node.text.find_first_not_of(" \t", equals + 1);
     YamlNode value = node;
-    value.text = node.text.substr(equals + 1);
-    if (node.text_column > 0) value.text_column = node.text_column + static_cast<int>(equals) + 1;
-    if (trimmed(value.text).empty()) value.text.clear();
+    value.text = begin == std::string::npos ? "" : node.text.substr(begin);
+    value.place = place_in(node, std::min(begin, node.text.size()), value.text.size());
+    if (node.text_column > 0) value.text_column = value.place.column;
     const auto number = read_number(reading, value, "the value of 'plane'");
     if (!number) return std::nullopt;
     return AxisPlane{static_cast<int>(which), *number};

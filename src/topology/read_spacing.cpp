@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -194,7 +195,6 @@ std::optional<SpacingEntry> read_spacing(Reading& reading, const YamlNode& node)
         return std::nullopt;
     }
     const Keys keys{"start", "end", "law", "ratio", "like", "positions", "parameters"};
-    const std::size_t errors = reading.diagnostics.all().size();
     expect_mapping(reading, node, "'spacing'", keys,
                    {{"heights", "'heights' are not in this version yet",
                      "give 'start', 'end', or 'positions' as fractions"}});
@@ -202,8 +202,10 @@ std::optional<SpacingEntry> read_spacing(Reading& reading, const YamlNode& node)
         if (const YamlNode* alone = node.find(key)) return read_alone(reading, node, *alone);
     }
     // A misspelled key was told; what is missing for its lack is not another fault.
-    const bool misspelled = reading.diagnostics.all().size() > errors;
-    if (misspelled && node.find("law") == nullptr) {
+    const bool misspelled = std::any_of(keys.begin(), keys.end(), [&](std::string_view key) {
+        return is_misspelled(reading, node, key);
+    });
+    if (misspelled || node.find("heights") != nullptr) {
         read_sizes(reading, node);
         return std::nullopt;
     }

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "topology/source_text.h"
-
 namespace hexweave {
 
 namespace {
@@ -52,19 +50,16 @@ bool is_yaml_switch(const std::string& text) {
     return std::find(words.begin(), words.end(), lower) != words.end();
 }
 
-}  // namespace
-
-std::string shown(const std::string& text) {
-    constexpr std::size_t longest = 60;
-    std::string line = text;
-    if (line.size() > longest) {
-        std::size_t end = longest - 3;
-        while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
-        line = line.substr(0, end) + "...";
-    }
-    for (char& c : line) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-    return line;
+void tell_unknown_key(Reading& reading, const YamlNode& mapping, const YamlNode& child,
+                      const std::string& what, const Keys& keys) {
+    const std::string meant = nearest_name(child.key, {keys.begin(), keys.end()});
+    if (!meant.empty()) reading.misspelled.emplace_back(&mapping, meant);
+    reading.diagnostics.error(child.key_place,
+                              fmt::format("unknown key '{}' in {}", shown(child.key), what),
+                              suggestion(child.key, keys, "keys here are"));
 }
+
+}  // namespace
 
 std::string describe(const YamlNode& node) {
     switch (node.kind) {
@@ -112,23 +107,35 @@ bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& w
             reading.diagnostics.error(child.key_place, std::string(special->message),
                                       std::string(special->hint));
         } else {
-            reading.diagnostics.error(child.key_place,
-                                      fmt::format("unknown key '{}' in {}", shown(child.key), what),
-                                      suggestion(child.key, keys, "keys here are"));
+            tell_unknown_key(reading, node, child, what, keys);
         }
     }
     return true;
 }
 
+bool is_misspelled(const Reading& reading, const YamlNode& mapping, std::string_view key) {
+    return std::any_of(reading.misspelled.begin(), reading.misspelled.end(),
+                       [&](const auto& m) { return m.first == &mapping && m.second == key; });
+}
+
 const YamlNode* require(Reading& reading, const YamlNode& mapping, std::string_view key,
                         const std::string& what) {
     const YamlNode* value = mapping.find(key);
-    if (value == nullptr) {
-        const bool keyed = mapping.key_place.line > 0;
-        reading.diagnostics.error(keyed ? mapping.key_place : mapping.place,
-                                  fmt::format("{} lacks the key '{}'", what, key));
-    }
+    if (value == nullptr) tell_lacking(reading, mapping, {key}, what);
     return value;
+}
+
+void tell_lacking(Reading& reading, const YamlNode& mapping, const Keys& keys,
+                  const std::string& what) {
+    std::vector<std::string> lacking;
+    for (const std::string_view key : keys) {
+        if (mapping.find(key) != nullptr || is_misspelled(reading, mapping, key)) continue;
+        lacking.push_back(fmt::format("'{}'", key));
+    }
+    if (lacking.empty()) return;
+    reading.diagnostics.error(mapping.key_place.line > 0 ? mapping.key_place : mapping.place,
+                              fmt::format("{} lacks the key{} {}", what,
+                                          lacking.size() > 1 ? "s" : "", fmt::join(lacking, ", ")));
 }
 
 bool expect_list(Reading& reading, const YamlNode& node, const std::string& what,
@@ -211,11 +218,13 @@ std::optional<std::function<double(double)>> read_formula(Reading& reading, cons
     return std::nullopt;
 }
 
-std::optional<bool> read_switch(Reading& reading, const YamlNode& node, const std::string& what) {
-    if (node.is_scalar() && node.text == "true") return true;
-    if (node.is_scalar() && node.text == "false") return false;
+std::optional<bool> read_switch(Reading& reading, const YamlNode& mapping, std::string_view key) {
+    const YamlNode* node = mapping.find(key);
+    if (node == nullptr) return false;
+    if (node->is_scalar() && node->text == "true") return true;
+    if (node->is_scalar() && node->text == "false") return false;
     reading.diagnostics.error(
-        node.place, fmt::format("{} must be true or false, not {}", what, describe(node)));
+        node->place, fmt::format("'{}' must be true or false, not {}", key, describe(*node)));
     return std::nullopt;
 }
 
@@ -241,13 +250,13 @@ bool check_new_name(Reading& reading, const YamlNode& node, const std::string& k
                     std::size_t longest) {
     const std::string& name = node.key;
     if (!is_name(name, "")) {
-        reading.diagnostics.error(node.key_place,
-                                  fmt::format("'{}' is not a valid {} name", shown(name), kind),
-                                  "names have letters, digits and underscores, no digit first");
+        reading.diagnostics.error(
+            node.key_place, fmt::format("'{}' is not a valid {} name", shown(name), kind),
+            "a name has letters (a-z, A-Z), digits and underscores, and no digit first");
     } else if (is_yaml_switch(name)) {
         reading.diagnostics.error(node.key_place,
                                   fmt::format("'{}' is not a valid {} name", shown(name), kind),
-                                  "YAML programs read it as true, false or null");
+                                  "other YAML programs read it as true, false or null");
     } else if (name.size() > longest) {
         reading.diagnostics.error(
             node.key_place,

@@ -8,12 +8,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/diagnostics.h"
 #include "core/vec3.h"
 #include "topology/case.h"
 #include "topology/expressions.h"
+#include "topology/source_text.h"
 #include "topology/yaml_tree.h"
 
 namespace hexweave {
@@ -22,7 +24,10 @@ namespace hexweave {
 struct Reading {
     Diagnostics& diagnostics;
     std::shared_ptr<const SourceFile> source;
-    ParameterScope parameters;
+    ParameterScope parameters{};
+    /// Keys that were told as unknown though they are near to a legal one: in which mapping, and
+    /// which key was meant, so that its lack is not told as well.
+    std::vector<std::pair<const YamlNode*, std::string>> misspelled{};
 };
 
 /// A key that is refused with its own words rather than as unknown.
@@ -36,8 +41,6 @@ using Keys = std::vector<std::string_view>;
 
 /// In `what`, below: the words for the value or entry, as in "edge 'wake'" or "'chord'".
 
-/// A user's text as it may stand in a message: one line of bounded length.
-std::string shown(const std::string& text);
 /// A list, a mapping, nothing, '...'.
 std::string describe(const YamlNode& node);
 /// The place of a fault inside of a scalar's expression.
@@ -47,9 +50,14 @@ Place place_in(const YamlNode& node, std::size_t offset, std::size_t length);
 /// it false: the known ones are still to be read.
 bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& what,
                     const Keys& keys, const std::vector<RefusedKey>& refused = {});
-/// The value of a key that must be there.
+/// Whether a key seems to be there, misspelled.
+bool is_misspelled(const Reading& reading, const YamlNode& mapping, std::string_view key);
+/// The value of a key that must be there; after expect_mapping.
 const YamlNode* require(Reading& reading, const YamlNode& mapping, std::string_view key,
                         const std::string& what);
+/// Tells together which of some keys are lacking.
+void tell_lacking(Reading& reading, const YamlNode& mapping, const Keys& keys,
+                  const std::string& what);
 /// Whether the node is a list; with `count` > 0, of that many items.
 bool expect_list(Reading& reading, const YamlNode& node, const std::string& what,
                  std::size_t count = 0);
@@ -65,8 +73,8 @@ std::optional<Vec3> read_point(Reading& reading, const YamlNode& node, const std
 /// A formula of t.
 std::optional<std::function<double(double)>> read_formula(Reading& reading, const YamlNode& node,
                                                           const std::string& what);
-/// `true` or `false`.
-std::optional<bool> read_switch(Reading& reading, const YamlNode& node, const std::string& what);
+/// The `true` or `false` under a key; false where the key is not there.
+std::optional<bool> read_switch(Reading& reading, const YamlNode& mapping, std::string_view key);
 /// Any text, not empty.
 std::optional<std::string> read_text(Reading& reading, const YamlNode& node,
                                      const std::string& what);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 #include <utility>
 
 namespace hexweave {
@@ -66,7 +65,7 @@ bool check_indentation(const SourcePlaces& places, Diagnostics& diagnostics) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::size_t first = std::min(text.find_first_not_of(" \t\r", begin), end);
         const std::size_t tab = text.find('\t', begin);
-        if (tab < first && first < end && text[first] != '#') {
+        if (tab < first && first < end) {
             diagnostics.error(places.at(tab), "a tab in the indentation", "indent with spaces");
             return false;
         }
@@ -103,6 +102,18 @@ Place SourcePlaces::at(std::size_t offset, int length) const {
 int count_characters(std::string_view text) {
     return static_cast<int>(
         std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
+}
+
+std::string shown(const std::string& text) {
+    constexpr std::size_t longest = 60;
+    std::string line = text;
+    if (line.size() > longest) {
+        std::size_t end = longest - 3;
+        while (end > 0 && is_continuation(line[end])) --end;
+        line = line.substr(0, end) + "...";
+    }
+    for (char& c : line) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+    return line;
 }
 
 bool check_text(const SourcePlaces& places, Diagnostics& diagnostics) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,6 +33,9 @@ private:
 
 /// Characters (not bytes) of UTF-8 text.
 int count_characters(std::string_view text);
+
+/// A user's text as it may stand in a message: one line of bounded length.
+std::string shown(const std::string& text);
 
 /// Errors for what is not text: broken UTF-8, control characters, lone carriage returns, and tabs
 /// in the indentation of a line. The first of each kind is told; false when there was one.

@@ -8,19 +8,19 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <sstream>
 #include <utility>
 
 #include "topology/source_text.h"
+#include "topology/yaml_faults.h"
 
 namespace hexweave {
 
 namespace {
 
 constexpr std::size_t maximum_depth = 100;
-constexpr std::size_t maximum_nodes = 4'000'000;  ///< with all aliases written out
+constexpr std::size_t maximum_aliased = 100'000;  ///< nodes that aliases stand for
 
 /// Ends the parsing from inside an event; the diagnostic is already told.
 struct ParsingEnded {};
@@ -60,14 +60,13 @@ public:
 
     YamlNode take_root() { return std::move(root_); }
 
-    /// Adds to a syntax error what was still open where it was found.
-    void note_open_brackets(Diagnostic& d) const {
+    /// The bracket that is still open, for a syntax error.
+    std::optional<Note> open_bracket() const {
         const auto flow = std::find_if(open_.rbegin(), open_.rend(),
                                        [](const OpenNode& open) { return open.flow; });
-        if (flow == open_.rend()) return;
-        d.notes.push_back({flow->node.place, flow->node.is_mapping()
-                                                 ? "inside the '{' that opens here"
-                                                 : "inside the '[' that opens here"});
+        if (flow == open_.rend()) return std::nullopt;
+        const char bracket = flow->node.is_mapping() ? '{' : '[';
+        return Note{flow->node.place, fmt::format("inside the '{}' that opens here", bracket)};
     }
 
     void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
@@ -121,8 +120,8 @@ public:
                 here, fmt::format("the alias '{}' stands inside of its own anchor", written));
             throw ParsingEnded{};
         }
-        nodes_ += count_nodes(found->second);
-        if (nodes_ > maximum_nodes) {
+        aliased_ += count_nodes(found->second);
+        if (aliased_ > maximum_aliased) {
             diagnostics_.error(here, "aliases inside of aliases make this file too large");
             throw ParsingEnded{};
         }
@@ -189,7 +188,6 @@ private:
     }
 
     void add(YamlNode node, YAML::anchor_t anchor) {
-        ++nodes_;
         if (anchor != 0) anchors_[anchor] = node;
         if (open_.empty()) {
             root_ = std::move(node);
@@ -219,7 +217,8 @@ private:
         parent.has_key = false;
         const auto [first, is_new] = parent.keys.emplace(parent.key, parent.key_place);
         if (!is_new) {
-            Diagnostic& d = diagnostics_.error(parent.key_place, "this key is given twice");
+            Diagnostic& d = diagnostics_.error(
+                parent.key_place, fmt::format("the key '{}' is given twice", shown(parent.key)));
             d.notes.push_back({first->second, "first given here"});
             return;
         }
@@ -233,9 +232,10 @@ private:
                            "remove the tag, or quote the text");
     }
 
-    void refuse_bare_anchor(const Place& where) {
+    [[noreturn]] void refuse_bare_anchor(const Place& where) {
         diagnostics_.error(where, "'&' begins a YAML anchor, and nothing follows it",
-                           "if it is meant as text, quote it");
+                           "a text that begins with '&' must be quoted");
+        throw ParsingEnded{};
     }
 
     [[noreturn]] void end_with_open_quote(const Place& where) {
@@ -248,65 +248,8 @@ private:
     YamlNode root_;
     std::vector<OpenNode> open_;
     std::map<YAML::anchor_t, YamlNode> anchors_;
-    std::size_t nodes_ = 0;
+    std::size_t aliased_ = 0;
 };
-
-/// What yaml-cpp says, and what to say instead.
-struct Rewording {
-    std::string_view yaml_cpp;
-    std::string_view message;
-    std::string_view hint;
-};
-
-constexpr std::array<Rewording, 8> rewordings{{
-    {"illegal map value", "a ':' where no key can stand",
-     "check the indentation, and quote a text that holds ': '"},
-    {"illegal flow end", "this bracket closes nothing", ""},
-    {"illegal block entry", "a list item cannot begin here", "write a list as [a, b]"},
-    {"end of map not found", "this does not fit to what stands before it",
-     "check the indentation and the quotes"},
-    {"end of sequence not found", "this does not fit to what stands before it",
-     "check the indentation and the quotes"},
-    {"illegal EOF in scalar", "the file ends inside of a quoted text", "close the quote"},
-    {"end of map flow not found", "a ',' or '}' is missing before this", ""},
-    {"end of sequence flow not found", "a ',' or ']' is missing before this", ""},
-}};
-
-/// Faults that a user of expressions meets: `*x`, `&x`, `@x` or `%x` without quotes.
-bool tell_unquoted(std::string_view fault, std::size_t offset, const SourcePlaces& places,
-                   Diagnostics& diagnostics) {
-    const std::string_view text = places.text();
-    if (fault == "alias not found after *" || fault == "anchor not found after &") --offset;
-    const std::string_view word =
-        text.substr(offset, text.substr(offset).find_first_of(" \t\r\n,]}"));
-    if (word.empty() || std::string_view("*&@%`").find(word.front()) == std::string_view::npos) {
-        return false;
-    }
-    const bool alias = word.front() == '*' && word.size() > 1;
-    diagnostics.error(
-        places.at(offset, count_characters(word)),
-        alias ? fmt::format("'{}' is a YAML alias, but no anchor '&{}' stands before it", word,
-                            word.substr(1))
-              : fmt::format("'{}' begins no text in YAML", word.front()),
-        fmt::format("a text that begins with '{}' must be quoted", word.front()));
-    return true;
-}
-
-void tell_syntax_error(const YAML::Exception& fault, const SourcePlaces& places,
-                       const TreeBuilder& builder, Diagnostics& diagnostics) {
-    const std::size_t size = places.text().size();
-    const std::size_t offset =
-        fault.mark.pos < 0 ? size : std::min(static_cast<std::size_t>(fault.mark.pos), size);
-    if (tell_unquoted(fault.msg, offset, places, diagnostics)) return;
-
-    const auto* known = std::find_if(rewordings.begin(), rewordings.end(),
-                                     [&](const Rewording& r) { return r.yaml_cpp == fault.msg; });
-    const bool found = known != rewordings.end();
-    Diagnostic& d = diagnostics.error(
-        places.at(offset), "not valid YAML: " + (found ? std::string(known->message) : fault.msg),
-        found ? std::string(known->hint) : std::string());
-    builder.note_open_brackets(d);
-}
 
 /// Reads one document; false when it did not come to its end.
 bool handle_document(YAML::Parser& parser, const SourcePlaces& places, TreeBuilder& builder,
@@ -317,7 +260,7 @@ bool handle_document(YAML::Parser& parser, const SourcePlaces& places, TreeBuild
     } catch (const ParsingEnded&) {
         return false;
     } catch (const YAML::Exception& fault) {
-        tell_syntax_error(fault, places, builder, diagnostics);
+        tell_syntax_error(fault, places, builder.open_bracket(), diagnostics);
         return false;
     }
 }
@@ -356,7 +299,7 @@ bool check_nothing_follows(YAML::Parser& parser, const SourcePlaces& places,
                           "one file holds one mapping of keys; check the indentation");
         return false;
     } catch (const YAML::Exception& fault) {
-        tell_syntax_error(fault, places, TreeBuilder(places, diagnostics), diagnostics);
+        tell_syntax_error(fault, places, {}, diagnostics);
         return false;
     }
     return true;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A look through an expression before muParser parses it: refuses what is not arithmetic (muParser
+// also knows assignments, strings, comparisons and lists) and collects the names.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "topology/expressions.h"
+
+namespace hexweave {
+
+struct ScannedExpression {
+    std::optional<ExpressionFault> fault;
+    std::map<std::string, double> values;  ///< of the parameters and constants that occur
+    bool lacks_value = false;              ///< a parameter occurs whose own value is faulty
+};
+
+/// Marks the parameters that occur as used. `variable` is a name that has no value yet, or empty.
+ScannedExpression scan_expression(const std::string& text, const std::string& variable,
+                                  ParameterScope& scope);
+
+bool is_function_name(std::string_view name);
+/// The value of `pi` or `e`.
+std::optional<double> constant_value(std::string_view name);
+
+}  // namespace hexweave

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The families of curves: lines, splines, circles, airfoils, formulas.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "geometry/curve.h"
+#include "topology/read_values.h"
+
+namespace hexweave {
+
+using MaybeCurve = std::optional<Curve>;
+
+/// A family: its key, the keys that may stand beside it, and how an entry that has its key is read.
+struct CurveFamily {
+    std::string_view key;
+    Keys further;
+    MaybeCurve (*read)(Reading& reading, const YamlNode& entry);
+};
+
+/// All families but `of`, a curve made of another.
+const std::vector<CurveFamily>& curve_families();
+
+}  // namespace hexweave
