@@ -75,8 +75,8 @@ std::array<Vec3, 2> bounds(const MultiblockGrid& grid, const Scene& scene, const
 /// The frame shrunk, about its centre, to the shape of a window.
 Frame shaped(const Frame& frame, double width, double height) {
     const double scale = std::min(frame.width() / width, frame.height() / height);
-    const double dx = std::floor((frame.width() - scale * width) / 2);
-    const double dy = std::floor((frame.height() - scale * height) / 2);
+    const double dx = (frame.width() - scale * width) / 2;
+    const double dy = (frame.height() - scale * height) / 2;
     return {frame.left + dx, frame.top + dy, frame.right - dx, frame.bottom - dy};
 }
 

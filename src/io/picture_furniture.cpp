@@ -87,10 +87,10 @@ std::string with_units(const std::string& text, const std::string& units, const 
 
 /// The marks of one axis: multiples of a round step between two values.
 std::vector<double> marks(double low, double high, double step) {
+    const double first = std::ceil(low / step - 1e-9);
+    const int count = static_cast<int>(std::floor((high - first * step) / step + 1e-9)) + 1;
     std::vector<double> result;
-    for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; ++n) {
-        result.push_back(n * step);
-    }
+    for (int n = 0; n < count; ++n) result.push_back((first + n) * step);
     return result;
 }
 
@@ -191,7 +191,7 @@ Frame grid_frame(const Scene& scene, const PictureOptions& options) {
     frame.left = std::round((scene.flat ? 70 : 20) * scale);
     frame.right = std::round(options.width - 20 * scale - legend);
     frame.top = std::round((scene.flat ? 34 : 20) * scale + title);
-    frame.bottom = std::round(options.height - (scene.flat ? 56 : 84) * scale);
+    frame.bottom = std::round(options.height - (scene.flat ? 56 : 94) * scale);
     if (frame.width() < 20 || frame.height() < 20) {
         throw UsageError(fmt::format("a picture of {} x {} leaves no room for the grid",
                                      options.width, options.height));

@@ -43,6 +43,22 @@ bool outside(const Frame& frame, const std::array<Sight, 4>& cell) {
            all([&](const Sight& s) { return s.y > frame.bottom; });
 }
 
+/// Where a triangle crosses a height of the page: from the left, to the right.
+std::array<double, 2> crossing(const std::array<Sight, 3>& triangle, double y) {
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    for (std::size_t n = 0; n < 3; ++n) {
+        const Sight& p = triangle[n];
+        const Sight& q = triangle[(n + 1) % 3];
+        if (std::min(p.y, q.y) > y || std::max(p.y, q.y) < y) continue;
+        const double f = p.y == q.y ? 0 : (y - p.y) / (q.y - p.y);
+        const double x = p.x + f * (q.x - p.x);
+        left = std::min(left, x);
+        right = std::max(right, x);
+    }
+    return {left, right};
+}
+
 double spatial_distance(const Sight& a, const Sight& b) {
     return std::hypot(b.x - a.x, b.y - a.y, b.depth - a.depth);
 }
@@ -79,16 +95,17 @@ void Raster::draw(const SightSheet& sheet, const Colour& colour) {
 void Raster::draw_triangle(const Sight& a, const Sight& b, const Sight& c, std::uint32_t colour) {
     const double area = cross_of(a, b, c.x, c.y);
     if (area == 0) return;
-    const auto range = [&](double p, double q, double r, double low, double high) {
-        const double from = std::clamp(std::min({p, q, r}), low, high) * factor_ - 0.5;
-        const double to = std::clamp(std::max({p, q, r}), low, high) * factor_ - 0.5;
-        return std::array{static_cast<int>(std::ceil(from)), static_cast<int>(std::floor(to))};
+    const auto samples = [&](double from, double to, double low, double high) {
+        return std::array{static_cast<int>(std::ceil(std::clamp(from, low, high) * factor_ - 0.5)),
+                          static_cast<int>(std::floor(std::clamp(to, low, high) * factor_ - 0.5))};
     };
-    const auto columns = range(a.x, b.x, c.x, frame_.left, frame_.right);
-    const auto rows = range(a.y, b.y, c.y, frame_.top, frame_.bottom);
+    const auto rows =
+        samples(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), frame_.top, frame_.bottom);
     constexpr double slack = -1e-9;
     for (int row = rows[0]; row <= rows[1]; ++row) {
         const double y = (row + 0.5) / factor_;
+        const auto [from, to] = crossing({a, b, c}, y);
+        const auto columns = samples(from - 0.01, to + 0.01, frame_.left, frame_.right);
         for (int column = columns[0]; column <= columns[1]; ++column) {
             const double x = (column + 0.5) / factor_;
             const double of_a = cross_of(b, c, x, y) / area;

@@ -149,7 +149,7 @@ TEST_CASE("a window cuts off what lies outside") {
     CHECK(runs_in_row(image, 600, reddish) == 11);  // at x = 1.25, 1.3, ..., 1.75
     CHECK(image(image.width - 3, 600) == paper);
     for (std::size_t n = 0; n < 4; ++n) {
-        CHECK(summary.window[n] == Approx((*options.window)[n]).margin(0.002));
+        CHECK(summary.window[n] == Approx((*options.window)[n]).margin(1e-9));
     }
 }
 
