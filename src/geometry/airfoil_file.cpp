@@ -135,7 +135,7 @@ std::optional<Fault> read_points(std::string_view text, Points& points) {
     const auto first = std::find_if_not(lines.begin(), lines.end(), is_header);
     if (first == lines.end()) return Fault{"no line of two numbers: not an airfoil's coordinates"};
     for (auto line = first; line != lines.end(); ++line) {
-        if (const std::optional<Fault> fault = fault_of(*line)) return fault;
+        if (std::optional<Fault> fault = fault_of(*line)) return fault;
         points.push_back({{line->numbers[0], line->numbers[1], 0}, line->line});
     }
     return std::nullopt;
@@ -190,8 +190,8 @@ std::optional<Fault> arrange_section(Points& points) {
         const int line = points.front().line;
         points.erase(points.begin());
         if (counts.x + counts.y != static_cast<double>(points.size())) {
-            return Fault{"the counts promise " + std::to_string(std::llround(counts.x + counts.y)) +
-                             " points, the file has " + std::to_string(points.size()),
+            return Fault{"the counts of the two blocks do not add up to the " +
+                             std::to_string(points.size()) + " points that follow",
                          line};
         }
         points = join_blocks(points, static_cast<std::size_t>(counts.x));
@@ -264,14 +264,14 @@ double doubled_area(const Points& points) {
 
 std::optional<Fault> arrange(AirfoilContent content, Points& points) {
     const bool half = content == AirfoilContent::symmetric_half;
-    const std::optional<Fault> fault = half ? arrange_half(points) : arrange_section(points);
+    std::optional<Fault> fault = half ? arrange_half(points) : arrange_section(points);
     if (fault) return fault;
     const std::size_t fewest = half ? fewest_points_of_a_half : fewest_points_of_a_section;
     if (points.size() < fewest) {
         return Fault{"only " + std::to_string(points.size()) +
                      " points; an airfoil needs at least " + std::to_string(fewest)};
     }
-    if (const std::optional<Fault> same = check_distinct(points)) return same;
+    if (std::optional<Fault> same = check_distinct(points)) return same;
     const double extent = x_range(points).extent;
     const double area = doubled_area(points);
     if (std::abs(area) <= 1e-9 * extent * extent) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "geometry/curve.h"
@@ -74,7 +75,7 @@ double parameter_at_fraction(const Curve& curve, double fraction) {
     return table.parameter_at(fraction * table.length());
 }
 
-ArcLengthTable::ArcLengthTable(const Curve& curve, double from, double to) : curve_(curve) {
+ArcLengthTable::ArcLengthTable(Curve curve, double from, double to) : curve_(std::move(curve)) {
     std::vector<Panel> panels;
     if (from != to) panels = length_panels(curve_, std::min(from, to), std::max(from, to));
     if (to < from) std::reverse(panels.begin(), panels.end());

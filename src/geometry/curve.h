@@ -55,7 +55,7 @@ double parameter_at_fraction(const Curve& curve, double fraction);
 /// copy of the curve.
 class ArcLengthTable {
 public:
-    ArcLengthTable(const Curve& curve, double from, double to);
+    ArcLengthTable(Curve curve, double from, double to);
 
     double length() const { return lengths_.back(); }
     /// The parameter at arc length s from the start, 0 <= s <= length(); s is met to about 1e-13 of

@@ -130,7 +130,7 @@ public:
         // With this rate one progression leads from the first cell to the last.
         const double through = std::abs(std::log(first_ / last_)) / (cells_ - 1);
         grows_ = sum(through) <= 1;
-        const double middle = (cells_ - 1) / 2;
+        const int middle = (cells_ - 1) / 2;
         const double limit =
             grows_ ? -std::log(std::min(first_, last_)) / middle : std::log1p(-first_ - last_);
         return bracketed_root([&](double rate) { return std::log(sum(rate)); },

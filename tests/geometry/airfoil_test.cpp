@@ -224,7 +224,7 @@ TEST_CASE("files that hold no airfoil are refused with the line") {
     CHECK(fault("two\n" + diamond + "999 999\n" + diamond) ==
           "7: a separator (999 999): the file holds several sections, one is needed");
     CHECK(fault("t\n4. 4.\n\n0 0\n0.5 0.1\n1 0\n0 0\n0.5 -0.1\n1 0\n") ==
-          "2: the counts promise 8 points, the file has 6");
+          "2: the counts of the two blocks do not add up to the 6 points that follow");
     CHECK(fault("0 0\n0.2 0.1\n0.5 0.1\n0.8 0.05\n1 0\n") ==
           "1: the points start at the leading edge and do not come back to it: one side of an "
           "airfoil only, or an order that is neither Selig's nor Lednicer's");
