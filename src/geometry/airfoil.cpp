@@ -30,7 +30,7 @@ std::size_t farthest_point(const std::vector<Vec3>& points) {
 /// The parameter of the leading edge on the spline through the points: of the farthest given point,
 /// or, where the spline bulges beyond it, of the spline's own farthest point.
 double leading_edge(const Curve& whole, const std::vector<Vec3>& points) {
-    constexpr double bulge = 1e-6;
+    constexpr double bulge = 1e-5;
     const Vec3 edge = trailing_edge(points);
     const std::size_t farthest = farthest_point(points);
     // The spline's parameters at its points are its ends and its breaks.
