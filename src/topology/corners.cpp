@@ -105,6 +105,8 @@ void enter_drawn_edges(Draft& draft) {
         const Edge& edge = draft.edges[n].edge;
         if (edge.start < 0 || edge.end < 0 || edge.start == edge.end) continue;
         draft.edges_between[ascending(edge.start, edge.end)].edges.push_back(static_cast<int>(n));
+        draft.edge_names.note_drawn(
+            made_edge_name(draft.vertex_name(edge.start), draft.vertex_name(edge.end)), edge.name);
     }
 }
 

@@ -266,6 +266,12 @@ void join_block(Draft& draft, DraftBlock& block, const NamedFaces& named) {
 }  // namespace
 
 void join_corner_blocks(Draft& draft) {
+    for (const DraftFace& face : draft.faces) {
+        if (!face.sound) continue;
+        std::array<std::string, 4> corners;
+        for (std::size_t n = 0; n < 4; ++n) corners[n] = draft.vertex_name(face.face.corners[n]);
+        draft.face_names.note_drawn(made_face_name(corners), face.face.name);
+    }
     for (DraftBlock& block : draft.blocks) {
         if (block.corners_known) join_corner_block(draft, block);
     }

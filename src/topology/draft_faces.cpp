@@ -23,26 +23,6 @@ std::string name_of(Side side) {
     return std::string(side_name(side));
 }
 
-/// An unknown edge spelled "a-b" may be drawn under a name of its own.
-void report_unknown_edge(Draft& draft, const SignedName& name) {
-    std::string hint;
-    const std::vector<std::string> parts = split_made_name(name.value);
-    if (parts.size() == 2) {
-        const auto a = draft.vertex_names.find(parts[0]);
-        const auto b = draft.vertex_names.find(parts[1]);
-        if (a && b) {
-            const auto between = draft.edges_between.find({std::min(*a, *b), std::max(*a, *b)});
-            if (between != draft.edges_between.end()) {
-                std::vector<std::string> drawn;
-                for (const int e : between->second.edges) drawn.push_back(draft.edge_name(e));
-                hint = fmt::format("between {} and {} is drawn {}", quoted(parts[0]),
-                                   quoted(parts[1]), listed(drawn));
-            }
-        }
-    }
-    draft.edge_names.report_unknown({name.value, name.place}, draft.diagnostics, hint);
-}
-
 /// The edges of the four sides; none where one is unknown or has unknown ends.
 std::optional<std::array<std::vector<EdgeOfSide>, 4>> find_edges(Draft& draft,
                                                                  const NamedSides& named) {
@@ -53,7 +33,9 @@ std::optional<std::array<std::vector<EdgeOfSide>, 4>> find_edges(Draft& draft,
         for (const SignedName& name : named[s]) {
             const std::optional<NamedEdge> edge = find_edge(draft.edge_names, name.value);
             if (!edge) {
-                if (!name.value.empty()) report_unknown_edge(draft, name);
+                if (!name.value.empty()) {
+                    draft.edge_names.report_unknown({name.value, name.place}, draft.diagnostics);
+                }
                 found = false;
                 continue;
             }

@@ -30,6 +30,19 @@ std::string shortened(const std::string& name) {
     return name.substr(0, longest_name - digits.size() - 1) + "-" + digits;
 }
 
+/// The parts of "a-b" or "a-b-c-d".
+std::vector<std::string> split_at_hyphens(const std::string& name) {
+    std::vector<std::string> parts(1);
+    for (const char c : name) {
+        if (c == '-') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
 }  // namespace
 
 std::optional<int> NameTable::find(const std::string& name) const {
@@ -44,20 +57,29 @@ std::optional<int> NameTable::require(const Name& name, Diagnostics& diagnostics
     return index;
 }
 
-void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics, std::string hint) const {
-    if (hint.empty()) {
-        std::vector<std::string> known;
-        known.reserve(index_.size());
-        for (const auto& entry : index_) known.push_back(entry.first);
-        const std::string nearest = nearest_name(name.value, known);
-        if (!nearest.empty()) {
-            hint = fmt::format("did you mean {}?", quoted(nearest));
-        } else if (!known.empty() && known.size() <= 8) {
-            hint = fmt::format("known: {}", listed(known, known.size()));
-        }
+std::string NameTable::hint_for(const std::string& unknown) const {
+    const auto drawn = drawn_.find(canonical_name(unknown));
+    if (drawn != drawn_.end()) {
+        return fmt::format("the {} between these vertices is drawn as {}", kind_,
+                           listed(drawn->second));
     }
+    std::vector<std::string> known;
+    known.reserve(index_.size());
+    for (const auto& entry : index_) known.push_back(entry.first);
+    const std::string nearest = nearest_name(unknown, known);
+    if (!nearest.empty()) return fmt::format("did you mean {}?", quoted(nearest));
+    constexpr std::size_t few = 8;
+    if (known.empty() || known.size() > few) return {};
+    return fmt::format("known: {}", listed(known, few));
+}
+
+void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics) const {
     diagnostics.error(name.place, fmt::format("unknown {} {}", kind_, quoted(name.value)),
-                      std::move(hint));
+                      hint_for(name.value));
+}
+
+void NameTable::note_drawn(const std::string& made, const std::string& drawn) {
+    drawn_[made].push_back(drawn);
 }
 
 void NameTable::renumber(const std::vector<int>& new_index) {
@@ -68,18 +90,16 @@ void NameTable::renumber(const std::vector<int>& new_index) {
 
 std::optional<NamedEdge> find_edge(const NameTable& edges, const std::string& name) {
     if (const auto index = edges.find(name)) return NamedEdge{*index, false};
-    const std::vector<std::string> parts = split_made_name(name);
-    if (parts.size() != 2) return std::nullopt;
-    const auto index = edges.find(made_edge_name(parts[0], parts[1]));
+    const auto index = edges.find(canonical_name(name));
     if (!index) return std::nullopt;
+    // A canonical name begins with the smaller vertex; this spelling is another one, or was cut.
+    const std::vector<std::string> parts = split_at_hyphens(name);
     return NamedEdge{*index, parts[1] < parts[0]};
 }
 
 std::optional<int> find_face(const NameTable& faces, const std::string& name) {
     if (const auto index = faces.find(name)) return index;
-    const std::vector<std::string> parts = split_made_name(name);
-    if (parts.size() != 4) return std::nullopt;
-    return faces.find(made_face_name({parts[0], parts[1], parts[2], parts[3]}));
+    return faces.find(canonical_name(name));
 }
 
 std::string quoted(const std::string& name) {
@@ -117,16 +137,11 @@ std::string made_face_name(const std::array<std::string, 4>& corners) {
                                  corners[cycle[2]], corners[cycle[3]]));
 }
 
-std::vector<std::string> split_made_name(const std::string& name) {
-    std::vector<std::string> parts(1);
-    for (const char c : name) {
-        if (c == '-') {
-            parts.emplace_back();
-        } else {
-            parts.back() += c;
-        }
-    }
-    return parts;
+std::string canonical_name(const std::string& name) {
+    const std::vector<std::string> parts = split_at_hyphens(name);
+    if (parts.size() == 2) return made_edge_name(parts[0], parts[1]);
+    if (parts.size() == 4) return made_face_name({parts[0], parts[1], parts[2], parts[3]});
+    return name;
 }
 
 }  // namespace hexweave

@@ -29,14 +29,20 @@ public:
     std::optional<int> find(const std::string& name) const;
     /// As `find`; reports an unknown name. An empty name is one that could not be read: silent.
     std::optional<int> require(const Name& name, Diagnostics& diagnostics) const;
-    /// Reports a name that is not there; `hint` instead of the nearest name when not empty.
-    void report_unknown(const Name& name, Diagnostics& diagnostics, std::string hint = {}) const;
+    /// Reports a name that is not there.
+    void report_unknown(const Name& name, Diagnostics& diagnostics) const;
+    /// Notes that what the canonical name `made` would stand for was drawn, under a name of its
+    /// own: for the hint when somebody asks for `made`.
+    void note_drawn(const std::string& made, const std::string& drawn);
     /// The index i becomes new_index[i].
     void renumber(const std::vector<int>& new_index);
 
 private:
+    std::string hint_for(const std::string& unknown) const;
+
     std::string kind_;
     std::map<std::string, int> index_;
+    std::map<std::string, std::vector<std::string>> drawn_;
 };
 
 /// An edge as it was named; `reversed` when spelled against its own direction ("b-a" for "a-b").
@@ -63,7 +69,8 @@ std::string made_edge_name(const std::string& a, const std::string& b);
 std::array<std::size_t, 4> canonical_cycle(const std::array<std::string, 4>& corners);
 /// The canonical name of a face that nobody drew: "a-b-c-d" in its canonical cycle.
 std::string made_face_name(const std::array<std::string, 4>& corners);
-/// The parts between the hyphens of "a-b" or "a-b-c-d".
-std::vector<std::string> split_made_name(const std::string& name);
+/// The canonical form of any spelling of a made name: "b-a", "c-d-a-b"; other names stay as they
+/// are.
+std::string canonical_name(const std::string& name);
 
 }  // namespace hexweave

@@ -35,7 +35,7 @@ Network connect(const Case& c, Diagnostics& diagnostics) {
 Topology resolve(const Case& c, Diagnostics& diagnostics) {
     if (c.faces.empty() && c.blocks.empty() && !diagnostics.has_errors()) {
         diagnostics.error(Place{c.source, 0, 0}, "the file describes no grid",
-                          "give it `faces`, or `blocks`");
+                          "give it 'faces', or 'blocks'");
     }
     Network network = connect(c, diagnostics);
     measure_extent(network.topology, network.three_dimensional);

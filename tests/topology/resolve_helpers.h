@@ -24,7 +24,9 @@ inline Topology resolved(const std::string& text) {
 /// "12: error: message" (the line in the text given), then the notes as "  12: message" and the
 /// hint as "  hint: ...".
 inline std::string shown(const Diagnostic& d) {
-    const auto line = [](const Place& place) { return std::to_string(place.line - 1) + ": "; };
+    const auto line = [](const Place& place) {
+        return place.line == 0 ? std::string("file: ") : std::to_string(place.line - 1) + ": ";
+    };
     std::string text = line(d.place);
     text += d.severity == Severity::error ? "error: " : "warning: ";
     text += d.message + "\n";
@@ -47,6 +49,22 @@ inline std::string faults(const std::string& text) {
     std::string all;
     for (const Diagnostic& d : diagnostics.all()) all += shown(d);
     return all;
+}
+
+/// The first error at a line of a case.
+inline std::string first_error(const std::string& text) {
+    Diagnostics diagnostics;
+    const auto source =
+        std::make_shared<const SourceFile>(SourceFile{"t.yaml", "hexweave: 1\n" + text});
+    try {
+        const Case c = read_case(source, {}, diagnostics);
+        resolve(c, diagnostics);
+    } catch (const InputError&) {
+        for (const Diagnostic& d : diagnostics.all()) {
+            if (d.severity == Severity::error && d.place.line > 0) return shown(d);
+        }
+    }
+    return "";
 }
 
 template <class Entities>
