@@ -90,6 +90,7 @@ std::vector<double> marks(double low, double high, double step) {
     const double first = std::ceil(low / step - 1e-9);
     const int count = static_cast<int>(std::floor((high - first * step) / step + 1e-9)) + 1;
     std::vector<double> result;
+    result.reserve(static_cast<std::size_t>(std::max(count, 0)));
     for (int n = 0; n < count; ++n) result.push_back((first + n) * step);
     return result;
 }

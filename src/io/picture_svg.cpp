@@ -64,7 +64,7 @@ std::string hex(const Colour& colour) {
 }
 
 void append(std::string& text, const Fill& fill) {
-    text += "<path fill=\"" + hex(fill.colour) + "\" fill-rule=\"evenodd\" d=\"";
+    text += fmt::format(R"(<path fill="{}" fill-rule="evenodd" d=")", hex(fill.colour));
     for (const Polyline& ring : fill.rings) append_path(text, ring, true);
     text += "\"/>\n";
 }
@@ -82,7 +82,7 @@ void append(std::string& text, const Mosaic& mosaic) {
     text += '\n';
     for (std::size_t i = 0; i < mosaic.tiles.size();) {
         const Colour colour = mosaic.tiles[i].colour;
-        text += "<path color=\"" + hex(colour) + "\" d=\"";
+        text += fmt::format(R"(<path color="{}" d=")", hex(colour));
         for (; i < mosaic.tiles.size() && mosaic.tiles[i].colour == colour; ++i) {
             append_path(text, mosaic.tiles[i].ring, true);
         }
