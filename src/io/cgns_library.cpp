@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/cgns_library.h"
 
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
@@ -59,7 +60,9 @@ std::string Hdf5Errors::reason(const std::string& otherwise) const {
 CgnsFile::CgnsFile(const std::filesystem::path& path, int mode) {
     // Said explicitly: the environment could ask for the older format.
     if (mode == CG_MODE_WRITE) cg_set_file_type(CG_FILE_HDF5);
+    errno = 0;
     open_ = cg_open(path.c_str(), mode, &number_) == CG_OK;
+    if (!open_) error_number_ = errno;
 }
 
 CgnsFile::~CgnsFile() {

@@ -77,11 +77,14 @@ public:
 
     operator int() const { return number_; }
     bool is_open() const { return open_; }
+    /// The system's error number when opening failed; 0 when it is not known.
+    int error_number() const { return error_number_; }
     /// Closes now; false when that fails.
     bool close();
 
 private:
     int number_ = 0;
+    int error_number_ = 0;
     bool open_ = false;
 };
 

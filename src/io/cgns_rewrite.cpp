@@ -18,17 +18,17 @@ constexpr std::size_t slab_bytes = std::size_t{16} << 20U;
 
 class Rewriter {
 public:
-    explicit Rewriter(const std::filesystem::path& shown) : shown_(shown) {}
+    explicit Rewriter(const std::filesystem::path& shown)
+        : shown_(shown),
+          group_creation_(group_creation(H5P_GROUP_CREATE)),
+          data_creation_(property_list(H5P_DATASET_CREATE)) {
+        check(H5Pset_obj_track_times(data_creation_, false));
+        check(H5Pset_fill_time(data_creation_, H5D_FILL_TIME_NEVER));
+    }
 
     void copy_file(const std::filesystem::path& from, const std::filesystem::path& to) {
-        const Hdf5Handle read_access = property_list(H5P_FILE_ACCESS);
-        check(H5Pset_fclose_degree(read_access, H5F_CLOSE_STRONG));
-        const Hdf5Handle source = own(H5Fopen(from.c_str(), H5F_ACC_RDONLY, read_access), H5Fclose);
-
-        const Hdf5Handle access = property_list(H5P_FILE_ACCESS);
-        check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
-        // libcgns 3 refuses files of the newest formats.
-        check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST));
+        const Hdf5Handle access = file_access();
+        const Hdf5Handle source = own(H5Fopen(from.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
         const Hdf5Handle creation = group_creation(H5P_FILE_CREATE);
         Hdf5Handle target = own(H5Fcreate(to.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
         {
@@ -58,6 +58,21 @@ private:
 
     Hdf5Handle property_list(hid_t property_class) const {
         return own(H5Pcreate(property_class), H5Pclose);
+    }
+
+    Hdf5Handle file_access() const {
+        Hdf5Handle list = property_list(H5P_FILE_ACCESS);
+        check(H5Pset_fclose_degree(list, H5F_CLOSE_STRONG));
+        // libcgns 3 refuses files of the newest formats.
+        check(H5Pset_libver_bounds(list, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST));
+        // The cache counts bytes on the disk; in memory the many small nodes are 20 times as large.
+        constexpr std::size_t cache_bytes = std::size_t{2} << 20U;
+        H5AC_cache_config_t cache{};
+        cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+        check(H5Pget_mdc_config(list, &cache));
+        cache.max_size = cache_bytes;
+        check(H5Pset_mdc_config(list, &cache));
+        return list;
     }
 
     /// Readers want the children of a node in the order in which they were made.
@@ -107,9 +122,9 @@ private:
             if (H5Iget_type(member) == H5I_DATASET) {
                 copy_data(member, target, name, is_root);
             } else {
-                const Hdf5Handle creation = group_creation(H5P_GROUP_CREATE);
-                const Hdf5Handle copy = own(
-                    H5Gcreate2(target, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose);
+                const Hdf5Handle copy =
+                    own(H5Gcreate2(target, name.c_str(), H5P_DEFAULT, group_creation_, H5P_DEFAULT),
+                        H5Gclose);
                 copy_attributes(member, copy);
                 copy_members(member, copy, false);
             }
@@ -129,12 +144,9 @@ private:
     void copy_data(hid_t source, hid_t target, const std::string& name, bool is_text) const {
         const Hdf5Handle type = own(H5Dget_type(source), H5Tclose);
         const Hdf5Handle space = own(H5Dget_space(source), H5Sclose);
-        const Hdf5Handle creation = property_list(H5P_DATASET_CREATE);
-        check(H5Pset_obj_track_times(creation, false));
-        check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
-        Hdf5Handle copy =
-            own(H5Dcreate2(target, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
-                H5Dclose);
+        Hdf5Handle copy = own(
+            H5Dcreate2(target, name.c_str(), type, space, H5P_DEFAULT, data_creation_, H5P_DEFAULT),
+            H5Dclose);
 
         const auto rank = static_cast<std::size_t>(check(H5Sget_simple_extent_ndims(space)));
         std::vector<hsize_t> extent(rank);
@@ -167,6 +179,8 @@ private:
 
     std::filesystem::path shown_;
     Hdf5Errors errors_;
+    Hdf5Handle group_creation_;
+    Hdf5Handle data_creation_;
 };
 
 }  // namespace

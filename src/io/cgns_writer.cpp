@@ -87,7 +87,8 @@ public:
     Writer(const MultiblockGrid& grid, const std::filesystem::path& path,
            const std::filesystem::path& shown)
         : grid_(grid), shown_(shown), file_(path, CG_MODE_WRITE) {
-        if (!file_.is_open()) fail();
+        // libcgns listens to no errors while it opens a file; the system's last one must do.
+        if (!file_.is_open()) fail(file_.error_number());
         errors_.listen();
     }
 
@@ -104,9 +105,11 @@ public:
     }
 
 private:
-    [[noreturn]] void fail() const {
+    [[noreturn]] void fail(int error_number = 0) const {
+        const std::string otherwise =
+            error_number != 0 ? error_reason(error_number) : cg_get_error();
         throw MachineError(
-            fmt::format("cannot write '{}': {}", shown_.string(), errors_.reason(cg_get_error())));
+            fmt::format("cannot write '{}': {}", shown_.string(), errors_.reason(otherwise)));
     }
 
     /// Every function of libcgns answers with zero when it succeeds.

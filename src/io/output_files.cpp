@@ -62,7 +62,7 @@ fs::path follow_links(const fs::path& given) {
 void require_replaceable(const fs::path& path, const fs::path& given) {
     const auto status = look_at(path, given);
     if (!status) {
-        if (!path.has_filename()) cannot_write(given, "it names a folder, not a file");
+        if (!path.has_filename()) cannot_write(given, "it names no file");
         return;
     }
     if (S_ISDIR(status->st_mode)) cannot_write(given, "it is a folder");

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Opens a CGNS file with VTK's reader, as a user of ParaView would, and prints what it found.
+
+    vtk_check.py FILE                                       print one line per zone and patch
+    vtk_check.py FILE --zones A=5x5x5 B=5x9x5 --families wall far
+                                                            and compare: exit 0 same, 1 different
+
+Patches are looked for in three-dimensional grids only: VTK does not load those of 2D ones.
+Exit 2: VTK could not read the file; 77: VTK is not installed (Debian: python3-vtk9).
+"""
+import argparse
+import sys
+
+try:
+    import vtk
+except ImportError:
+    print("skipped: VTK's Python modules are not installed (Debian: python3-vtk9)")
+    sys.exit(77)
+
+
+def children(block):
+    """(name, metadata, child) of each block of a multi-block data set."""
+    for index in range(block.GetNumberOfBlocks() if block else 0):
+        metadata = block.GetMetaData(index)
+        named = metadata is not None and metadata.Has(vtk.vtkCompositeDataSet.NAME())
+        name = metadata.Get(vtk.vtkCompositeDataSet.NAME()) if named else ""
+        yield name, metadata, block.GetBlock(index)
+
+
+def size(grid):
+    return "x".join(str(nodes) for nodes in grid.GetDimensions())
+
+
+def read(path):
+    reader = vtk.vtkCGNSReader()
+    failures = []
+    for event in ("ErrorEvent", "WarningEvent"):
+        reader.AddObserver(event, lambda _, kind: failures.append(kind))
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    reader.SetLoadBndPatch(True)
+    reader.EnableAllBases()
+    reader.Update()
+    if failures:
+        print(f"VTK reports {failures[0]} for {path}")
+        sys.exit(2)
+    return reader.GetOutput()
+
+
+def list_contents(output):
+    """{zone: size} and {(zone, patch): (family, size)}."""
+    zones, patches = {}, {}
+    for _, _, base in children(output):
+        for zone, _, block in children(base):
+            if block.IsA("vtkStructuredGrid"):
+                zones[zone] = size(block)
+                continue
+            for part, _, content in children(block):
+                if part != "Patches":
+                    zones[zone] = size(content)
+                    continue
+                for patch, metadata, grid in children(content):
+                    key = vtk.vtkCGNSReader.FAMILY()
+                    family = metadata.Get(key) if metadata.Has(key) else ""
+                    patches[zone, patch] = family, size(grid)
+    return zones, patches
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("file")
+    parser.add_argument("--zones", nargs="*", help="expected: NAME=NIxNJxNK")
+    parser.add_argument("--families", nargs="*", help="expected names")
+    arguments = parser.parse_args()
+    zones, patches = list_contents(read(arguments.file))
+    for zone, extent in sorted(zones.items()):
+        print(f"zone {zone} {extent}")
+    for (zone, patch), (family, extent) in sorted(patches.items()):
+        print(f"patch {zone}/{patch} {family} {extent}")
+    wrong = False
+    if arguments.zones is not None:
+        expected = dict(zone.split("=", 1) for zone in arguments.zones)
+        if expected != zones:
+            print(f"expected zones {sorted(expected.items())}")
+            wrong = True
+    if arguments.families is not None:
+        found = {family for family, _ in patches.values()}
+        if found != set(arguments.families):
+            print(f"expected families {sorted(arguments.families)}, found {sorted(found)}")
+            wrong = True
+    return 1 if wrong or not zones else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
