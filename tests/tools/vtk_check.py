@@ -7,7 +7,7 @@
                                                             and compare: exit 0 same, 1 different
 
 Patches are looked for in three-dimensional grids only: VTK does not load those of 2D ones.
-Exit 2: VTK could not read the file; 77: VTK is not installed (Debian: python3-vtk9).
+Exit 77: VTK is not installed (Debian: python3-vtk9); any other: VTK could not read the file.
 """
 import argparse
 import sys
