@@ -109,7 +109,7 @@ std::optional<IndexBox> bounding_box(const std::vector<cgsize_t>& indices, int c
                                      bool must_fill) {
     IndexBox box;
     const auto dimension = static_cast<std::size_t>(cell_dimension);
-    double filled = static_cast<double>(dimension);
+    auto filled = static_cast<double>(dimension);
     for (std::size_t axis = 0; axis < dimension; ++axis) {
         cgsize_t least = std::numeric_limits<cgsize_t>::max();
         cgsize_t most = 0;

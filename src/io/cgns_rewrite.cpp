@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/errors.h"
@@ -18,8 +19,8 @@ constexpr std::size_t slab_bytes = std::size_t{16} << 20U;
 
 class Rewriter {
 public:
-    explicit Rewriter(const std::filesystem::path& shown)
-        : shown_(shown),
+    explicit Rewriter(std::filesystem::path shown)
+        : shown_(std::move(shown)),
           group_creation_(group_creation(H5P_GROUP_CREATE)),
           data_creation_(property_list(H5P_DATASET_CREATE)) {
         check(H5Pset_obj_track_times(data_creation_, false));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/errors.h"
@@ -85,8 +86,8 @@ Range point_range(const IndexBox& box, int dimension) {
 class Writer {
 public:
     Writer(const MultiblockGrid& grid, const std::filesystem::path& path,
-           const std::filesystem::path& shown)
-        : grid_(grid), shown_(shown), file_(path, CG_MODE_WRITE) {
+           std::filesystem::path shown)
+        : grid_(grid), shown_(std::move(shown)), file_(path, CG_MODE_WRITE) {
         // libcgns listens to no errors while it opens a file; the system's last one must do.
         if (!file_.is_open()) fail(file_.error_number());
         errors_.listen();

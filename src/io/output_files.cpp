@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
@@ -126,9 +127,7 @@ public:
     Replacement(const Replacement&) = delete;
     Replacement& operator=(const Replacement&) = delete;
     /// Takes back everything unless `keep` was called.
-    ~Replacement() {
-        for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) take_back(*step);
-    }
+    ~Replacement() { std::for_each(steps_.rbegin(), steps_.rend(), take_back); }
 
     void replace(const fs::path& temporary, const fs::path& path, const fs::path& given) {
         Step step{path, {}, true};

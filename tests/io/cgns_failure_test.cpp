@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Full disks, limits and signals while a file is being written: the former file stays, nothing is
 // left behind, and the process ends as it should.
-#include <signal.h>
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
+#include <csignal>
 
 #include "core/errors.h"
 #include "io/cgns.h"
@@ -105,9 +105,9 @@ TEST_CASE("On a full disk the former file stays, at every size of the disk") {
     int failures = 0;
     int successes = 0;
     for (const int size : {8, 24, 40, 72, 100, 120, 140, 160, 200, 220, 240, 280, 400, 1000}) {
-        const std::string head = "size=" + std::to_string(size) + " status=";
-        const std::string failed = full + head + "3 files=grid.cgns stays\n";
-        const std::string done = head + "0 files=grid.cgns replaced\n";
+        const std::string failed =
+            fmt::format("{}size={} status=3 files=grid.cgns stays\n", full, size);
+        const std::string done = fmt::format("size={} status=0 files=grid.cgns replaced\n", size);
         if (rest.substr(0, failed.size()) == failed) {
             rest.erase(0, failed.size());
             ++failures;

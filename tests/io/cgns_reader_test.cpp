@@ -21,7 +21,7 @@ namespace {
 template <class Fill>
 std::filesystem::path other_program(const Scratch& scratch, int file_type, int cell_dimension,
                                     Fill&& fill) {
-    const std::filesystem::path path = scratch.path("other.cgns");
+    std::filesystem::path path = scratch.path("other.cgns");
     int file = 0;
     int base = 0;
     cg_set_file_type(file_type);
