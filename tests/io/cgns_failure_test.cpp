@@ -20,6 +20,19 @@ namespace {
 
 const std::string probe = HEXWEAVE_WRITE_PROBE;
 
+/// Writes to a file system of its own, seen by this shell alone, that grows until the grid fits; a
+/// line for every size.
+constexpr const char* full_disk_script = R"(disk=$1; probe=$2
+for size in 8 24 40 72 100 120 140 160 200 220 240 280 400 1000; do
+    mount -t tmpfs -o size=${size}k tmpfs $disk || exit 77
+    echo former > $disk/grid.cgns
+    $probe 3 5 $disk/grid.cgns; status=$?
+    set -- $(ls -A $disk)
+    former=replaced; echo former | cmp -s - $disk/grid.cgns && former=stays
+    echo size=$size status=$status files=$* $former
+    umount $disk
+done)";
+
 /// Starts the probe with the given arguments.
 pid_t start(const std::vector<std::string>& arguments) {
     std::vector<char*> argv{const_cast<char*>(probe.c_str())};
@@ -70,30 +83,8 @@ void require_clean_end(const std::string& start_of_name, int signal_number) {
 TEST_CASE("On a full disk the former file stays, at every size of the disk") {
     const Scratch scratch;
     const std::string disk = scratch.folder().string();
-    // A file system of its own, seen by this shell alone, growing until the grid fits.
     const Outcome outcome =
-        run("unshare -Urm sh -c '"
-            "for size in 8 24 40 72 100 120 140 160 200 220 240 280 400 1000; do"
-            "  mount -t tmpfs -o size=${size}k tmpfs " +
-            disk +
-            " || exit 77;"
-            "  echo former > " +
-            disk +
-            "/grid.cgns;"
-            "  " +
-            probe + " 3 5 " + disk +
-            "/grid.cgns; status=$?;"
-            "  set -- $(ls -A " +
-            disk +
-            ");"
-            "  former=replaced; echo former | cmp -s - " +
-            disk +
-            "/grid.cgns && former=stays;"
-            "  echo size=$size status=$status files=$* $former;"
-            "  umount " +
-            disk +
-            ";"
-            "done'");
+        run(fmt::format("unshare -Urm sh -c '{}' sh {} {}", full_disk_script, disk, probe));
     INFO(outcome.output);
     if (outcome.output.find("size=") == std::string::npos) {
         WARN("skipped: no file system of one's own in a user namespace: " + outcome.output);
