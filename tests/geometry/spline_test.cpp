@@ -22,13 +22,15 @@ Vec3 cubic_rate(double t) {
 
 std::vector<Vec3> on_cubic(const std::vector<double>& parameters) {
     std::vector<Vec3> points;
+    points.reserve(parameters.size());
     for (const double t : parameters) points.push_back(cubic(t));
     return points;
 }
 
 double error_on_cubic(const Curve& curve) {
     double worst = 0;
-    for (double t = curve.begin; t <= curve.end; t += curve.period() / 200) {
+    for (int k = 0; k <= 200; ++k) {
+        const double t = curve.begin + curve.period() * k / 200;
         worst = std::max(worst, distance(evaluate(curve, t), cubic(t)));
         worst = std::max(worst, distance(evaluate_derivative(curve, t), cubic_rate(t)));
     }
