@@ -17,8 +17,9 @@ namespace hexweave {
 /// The cells of one zone. Scaled Jacobian of a corner: the determinant of its three edges over the
 /// product of their lengths; of a surface cell: the corner's normal against the cell's mean normal.
 /// A cell is folded when a corner is not above 1e-9, unless the corner lies where two sides of the
-/// zone meet at more than 150 degrees: such corners are counted apart.
-ZoneMeasure measure_zone(const Zone& zone);
+/// zone meet at more than 150 degrees and the corner is flat there: such corners are counted apart.
+/// A surface zone is measured against +z when `physical_dimension` is 2.
+ZoneMeasure measure_zone(const Zone& zone, int physical_dimension);
 
 /// All measures of a run; `stages` is left empty.
 Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,

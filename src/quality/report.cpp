@@ -1,2 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quality/report.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hexweave {
+
+std::size_t Report::folded() const {
+    return std::accumulate(zones.begin(), zones.end(), std::size_t{0},
+                           [](std::size_t sum, const ZoneMeasure& z) { return sum + z.folded; });
+}
+
+double Report::worst_scaled_jacobian() const {
+    double worst = 1;
+    for (const ZoneMeasure& z : zones) worst = std::min(worst, z.worst_scaled_jacobian);
+    return worst;
+}
+
+std::size_t Report::mismatched() const {
+    return std::accumulate(
+        interfaces.begin(), interfaces.end(), std::size_t{0},
+        [](std::size_t sum, const InterfaceMeasure& i) { return sum + i.mismatched; });
+}
+
+std::size_t Report::unconverged() const {
+    return static_cast<std::size_t>(
+        std::count_if(solves.begin(), solves.end(), [](const SolveMeasure& s) {
+            return s.result.status == SolveStatus::not_converged ||
+                   s.result.status == SolveStatus::diverged;
+        }));
+}
+
+}  // namespace hexweave

@@ -2,3 +2,121 @@
 #include "quality/measure.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+using namespace hexweave;
+
+namespace {
+
+const double pi = std::acos(-1.0);
+
+Zone make_zone(Extent extent, const std::function<Vec3(double, double, double)>& map) {
+    Zone zone{"zone", PointField(extent)};
+    for (int k = 0; k < extent.nk; ++k)
+        for (int j = 0; j < extent.nj; ++j)
+            for (int i = 0; i < extent.ni; ++i) zone.points.set(i, j, k, map(i, j, k));
+    return zone;
+}
+
+}  // namespace
+
+TEST_CASE("a box of cubes has scaled Jacobian one and no fold") {
+    const ZoneMeasure m = measure_zone(make_zone({4, 5, 6},
+                                                 [](double i, double j, double k) {
+                                                     return Vec3{i, j, k};
+                                                 }),
+                                       3);
+    CHECK(m.cells == 60);
+    CHECK(m.folded == 0);
+    CHECK(m.flat_corners == 0);
+    CHECK(m.worst_scaled_jacobian == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE(
+    "the scaled Jacobian of sheared cells is the sine of their angle, whatever their aspect") {
+    const double angle = pi / 3;
+    const auto shear = [angle](double i, double j, double) {
+        return Vec3{i + 1e-5 * j * std::cos(angle), 1e-5 * j * std::sin(angle), 0};
+    };
+    const ZoneMeasure m = measure_zone(make_zone({5, 5, 1}, shear), 2);
+    CHECK(m.worst_scaled_jacobian == Approx(std::sin(angle)).epsilon(1e-9));
+    CHECK(m.cells == 16);
+}
+
+TEST_CASE("a left-handed block is folded everywhere, a left-handed plane too") {
+    const auto mirrored = [](double i, double j, double k) { return Vec3{-i, j, k}; };
+    CHECK(measure_zone(make_zone({3, 3, 3}, mirrored), 3).folded == 8);
+    CHECK(measure_zone(make_zone({3, 3, 1}, mirrored), 2).folded == 4);
+}
+
+TEST_CASE("a surface has no outside: only its own folds count") {
+    const auto mirrored = [](double i, double j, double) { return Vec3{-i, j, 0.1 * i * j}; };
+    CHECK(measure_zone(make_zone({3, 3, 1}, mirrored), 3).folded == 0);
+    Zone zone = make_zone({5, 5, 1}, mirrored);
+    zone.points.set(2, 2, 0, {-4.5, 4.5, 0});
+    CHECK(measure_zone(zone, 3).folded > 0);
+}
+
+TEST_CASE("one node pulled through its neighbours folds the cells around it and is named") {
+    Zone zone = make_zone({5, 5, 5}, [](double i, double j, double k) { return Vec3{i, j, k}; });
+    zone.points.set(2, 2, 2, {3.5, 2, 2});
+    const ZoneMeasure m = measure_zone(zone, 3);
+    CHECK(m.folded >= 4);
+    CHECK(m.worst_scaled_jacobian < 0);
+    CHECK(m.worst_cell[0] >= 1);
+    CHECK(m.worst_cell[0] <= 2);
+}
+
+TEST_CASE("a node that is not a number is a fold") {
+    Zone zone = make_zone({3, 3, 1}, [](double i, double j, double) { return Vec3{i, j, 0}; });
+    zone.points.set(1, 1, 0, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+    const ZoneMeasure m = measure_zone(zone, 2);
+    CHECK(m.folded == 4);
+    CHECK(!(m.worst_scaled_jacobian > 0));
+}
+
+TEST_CASE("a corner where two sides meet at 180 degrees is counted apart, a turned one is a fold") {
+    // The unit square with its corner (0, 0) pushed onto the straight line between its neighbours.
+    const auto square = [](double i, double j, double) { return Vec3{i, j, 0}; };
+    Zone flat = make_zone({3, 3, 1}, square);
+    flat.points.set(0, 0, 0, {0.5, 0.5, 0});
+    const ZoneMeasure m = measure_zone(flat, 2);
+    CHECK(m.flat_corners == 1);
+    CHECK(m.folded == 0);
+
+    Zone turned = make_zone({3, 3, 1}, square);
+    turned.points.set(0, 0, 0, {0.6, 0.6, 0});
+    CHECK(measure_zone(turned, 2).folded == 1);
+}
+
+TEST_CASE("a block edge at 180 degrees gives flat corners all along it") {
+    // Half a cylinder whose sides theta = 0 and theta = pi meet along the axis x = y = 0.
+    const auto half_disc = [](double i, double j, double k) {
+        const double u = i / 4;
+        const double v = j / 4;
+        // A square (u, v) bent open so that its sides u = 0 and v = 0 lie in one plane.
+        return Vec3{u * u - v * v, 2 * u * v, k};
+    };
+    const ZoneMeasure m = measure_zone(make_zone({5, 5, 4}, half_disc), 3);
+    CHECK(m.flat_corners == 6);
+    CHECK(m.folded == 0);
+}
+
+TEST_CASE("an unsound report says so") {
+    Report report;
+    CHECK(report.sound());
+    report.zones.push_back({});
+    report.zones[0].folded = 2;
+    CHECK(report.folded() == 2);
+    CHECK(!report.sound());
+    report.zones[0].folded = 0;
+    report.solves.push_back({});
+    report.solves[0].result.status = SolveStatus::not_converged;
+    CHECK(report.unconverged() == 1);
+    CHECK(!report.sound());
+    report.solves.clear();
+    report.interfaces.push_back({"i", 1});
+    CHECK(!report.sound());
+}
