@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace hexweave {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+Json point(const Vec3& p) {
+    return {number(p.x), number(p.y), number(p.z)};
+}
+Json extent(const Extent& e) {
+    return {e.ni, e.nj, e.nk};
+}
+
+Json place(const Place& p) {
+    return {{"file", p.file ? p.file->name : ""}, {"line", p.line}, {"column", p.column}};
+}
+
+Json diagnostic(const Diagnostic& d) {
+    Json notes = Json::array();
+    for (const Note& n : d.notes) {
+        Json note = place(n.place);
+        note["message"] = n.message;
+        notes.push_back(note);
+    }
+    Json json{{"severity", d.severity == Severity::error ? "error" : "warning"}};
+    json.update(place(d.place));
+    json["message"] = d.message;
+    json["hint"] = d.hint;
+    json["notes"] = notes;
+    return json;
+}
+
+Json solve(const SolveMeasure& s) {
+    Json history = Json::array();
+    for (const double step : s.result.history) history.push_back(number(step));
+    return {{"name", s.name},
+            {"kind", s.is_block ? "block" : "face"},
+            {"nodes", extent(s.extent)},
+            {"status", status_name(s.result.status)},
+            {"iterations", s.result.iterations},
+            {"tolerance", number(s.result.tolerance)},
+            {"displacement", number(s.result.displacement)},
+            {"history", history},
+            {"folded_before", s.result.folded_before},
+            {"folded_after", s.result.folded_after}};
+}
+
+Json zone(const ZoneMeasure& z) {
+    return {{"name", z.name},
+            {"nodes", extent(z.extent)},
+            {"cells", z.cells},
+            {"folded", z.folded},
+            {"flat_corners", z.flat_corners},
+            {"worst_scaled_jacobian", number(z.worst_scaled_jacobian)},
+            {"worst_cell", {z.worst_cell[0] + 1, z.worst_cell[1] + 1, z.worst_cell[2] + 1}},
+            {"worst_place", point(z.worst_place)}};
+}
+
+Json spacing(const SpacingMeasure& s) {
+    return {{"edge", s.edge},
+            {"cells", s.cells},
+            {"length", number(s.length)},
+            {"first_asked", number(s.asked_start)},
+            {"first_got", number(s.got_start)},
+            {"last_asked", number(s.asked_end)},
+            {"last_got", number(s.got_end)}};
+}
+
+template <class T, class Convert>
+Json list(const std::vector<T>& items, Convert convert) {
+    Json array = Json::array();
+    for (const T& item : items) array.push_back(convert(item));
+    return array;
+}
+
+Json report_json(const Report& r) {
+    return {{"title", r.title},
+            {"sound", r.sound()},
+            {"cells", r.cells},
+            {"nodes", r.nodes},
+            {"folded", r.folded()},
+            {"worst_scaled_jacobian", number(r.worst_scaled_jacobian())},
+            {"zones", list(r.zones, zone)},
+            {"interfaces", list(r.interfaces,
+                                [](const InterfaceMeasure& i) {
+                                    return Json{{"name", i.name}, {"mismatched", i.mismatched}};
+                                })},
+            {"spacings", list(r.spacings, spacing)},
+            {"solves", list(r.solves, solve)},
+            {"seconds", list(r.stages, [](const StageTime& s) {
+                 return Json{{"stage", s.stage}, {"seconds", number(s.seconds)}};
+             })}};
+}
+
+}  // namespace
+
+std::string to_json(const Outcome& outcome) {
+    Json json{
+        {"hexweave_json", 1},         {"command", outcome.command},
+        {"config", outcome.config},   {"exit_code", outcome.exit_code},
+        {"outputs", outcome.outputs}, {"diagnostics", list(outcome.diagnostics.all(), diagnostic)},
+        {"failure", outcome.failure}};
+    json["report"] = outcome.report ? report_json(*outcome.report) : Json(nullptr);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hexweave

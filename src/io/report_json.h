@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The outcome of a run as programs read it: one JSON object, schema version 1 (docs/json.md).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnostics.h"
+#include "quality/report.h"
+
+namespace hexweave {
+
+/// What a command came to; the report is absent when no grid was made.
+struct Outcome {
+    std::string command;  ///< "run" or "check"
+    std::string config;   ///< as named on the command line
+    int exit_code = 0;
+    std::vector<std::string> outputs;  ///< files that were written
+    Diagnostics diagnostics;
+    std::string failure;  ///< what the machine failed at; empty when it did not
+    std::optional<Report> report;
+};
+
+/// Indented by two spaces, ends with a newline. Numbers that are not finite are null.
+std::string to_json(const Outcome& outcome);
+
+}  // namespace hexweave

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace hexweave {
+namespace {
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
+        digits.insert(static_cast<std::size_t>(at), ",");
+    }
+    return digits;
+}
+
+/// "1 cell", "2 cells".
+std::string counted(std::size_t number, const char* one) {
+    return grouped(number) + " " + one + (number == 1 ? "" : "s");
+}
+
+std::string asked_text(const std::optional<double>& asked) {
+    return asked ? fmt::format("{:.6g}", *asked) : "-";
+}
+
+/// The greatest relative error of the spacings that were asked; negative when none was.
+double worst_spacing_error(const Report& report) {
+    double worst = -1;
+    const auto include = [&worst](const std::optional<double>& asked, double got) {
+        if (asked) worst = std::max(worst, std::abs(got - *asked) / *asked);
+    };
+    for (const SpacingMeasure& s : report.spacings) {
+        include(s.asked_start, s.got_start);
+        include(s.asked_end, s.got_end);
+    }
+    return worst;
+}
+
+std::string spacing_table(const Report& report) {
+    std::size_t width = 4;
+    for (const SpacingMeasure& s : report.spacings) width = std::max(width, s.edge.size());
+    std::string text =
+        fmt::format("{:<{}}  {:>6} {:>12} | {:>12} {:>12} | {:>12} {:>12}\n", "edge", width,
+                    "cells", "length", "first asked", "got", "last asked", "got");
+    for (const SpacingMeasure& s : report.spacings) {
+        text += fmt::format("{:<{}}  {:>6} {:>12.6g} | {:>12} {:>12.6g} | {:>12} {:>12.6g}\n",
+                            s.edge, width, s.cells, s.length, asked_text(s.asked_start),
+                            s.got_start, asked_text(s.asked_end), s.got_end);
+    }
+    const double worst = worst_spacing_error(report);
+    if (worst >= 0) text += fmt::format("spacings asked are met to {:.1e} relative\n", worst);
+    return text;
+}
+
+std::string solve_table(const Report& report, bool verbose) {
+    std::size_t width = 6;
+    for (const SolveMeasure& s : report.solves) width = std::max(width, s.name.size() + 6);
+    std::string text =
+        fmt::format("{:<{}}  {:>15} {:<14} {:>10} {:>14} {:>13}\n", "solve", width, "nodes",
+                    "status", "iterations", "displacement", "folded before");
+    for (const SolveMeasure& s : report.solves) {
+        const SolveResult& r = s.result;
+        const std::string name = (s.is_block ? "block " : "face ") + s.name;
+        const std::string nodes =
+            s.is_block ? fmt::format("{} x {} x {}", s.extent.ni, s.extent.nj, s.extent.nk)
+                       : fmt::format("{} x {}", s.extent.ni, s.extent.nj);
+        text += fmt::format("{:<{}}  {:>15} {:<14} ", name, width, nodes, status_name(r.status));
+        if (r.status == SolveStatus::algebraic) {
+            text += fmt::format("{:>10} {:>14} {:>13}\n", "-", "-", "-");
+            continue;
+        }
+        text += fmt::format("{:>10} {:>8.1e} cells {:>13}\n", r.iterations, r.displacement,
+                            r.folded_before);
+        if (!verbose) continue;
+        for (std::size_t step = 0; step < r.history.size(); ++step) {
+            text +=
+                fmt::format("  step {:>4}  displacement {:.3e} cells\n", step + 1, r.history[step]);
+        }
+    }
+    return text;
+}
+
+std::string node_text(const ZoneMeasure& z) {
+    if (z.extent.nk == 1) return fmt::format("({}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1);
+    return fmt::format("({}, {}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1,
+                       z.worst_cell[2] + 1);
+}
+
+std::string zone_table(const Report& report) {
+    std::size_t width = 4;
+    for (const ZoneMeasure& z : report.zones) width = std::max(width, z.name.size());
+    std::string text = fmt::format("{:<{}}  {:>10} {:>12} {:>7} {:>6}  {}\n", "zone", width,
+                                   "cells", "worst corner", "folded", "flat", "worst cell");
+    for (const ZoneMeasure& z : report.zones) {
+        text += fmt::format(
+            "{:<{}}  {:>10} {:>12.4g} {:>7} {:>6}  {} at ({:.6g}, {:.6g}, {:.6g})\n", z.name, width,
+            grouped(z.cells), z.worst_scaled_jacobian, z.folded, z.flat_corners, node_text(z),
+            z.worst_place.x, z.worst_place.y, z.worst_place.z);
+    }
+    return text;
+}
+
+std::string stage_line(const Report& report) {
+    std::string text = "seconds:";
+    for (const StageTime& s : report.stages) {
+        text +=
+            fmt::format(" {} {:.3f}{}", s.stage, s.seconds, &s == &report.stages.back() ? "" : ",");
+    }
+    return text + "\n";
+}
+
+const ZoneMeasure& worst_zone(const Report& report) {
+    return *std::min_element(report.zones.begin(), report.zones.end(),
+                             [](const ZoneMeasure& a, const ZoneMeasure& b) {
+                                 return a.worst_scaled_jacobian < b.worst_scaled_jacobian;
+                             });
+}
+
+/// What is wrong, each with the entity that is worst.
+std::vector<std::string> faults(const Report& report) {
+    std::vector<std::string> found;
+    for (const ZoneMeasure& z : report.zones) {
+        if (z.folded == 0) continue;
+        found.push_back(fmt::format("{} in zone '{}', the worst {} at ({:.6g}, {:.6g}, {:.6g})",
+                                    counted(z.folded, "folded cell"), z.name, node_text(z),
+                                    z.worst_place.x, z.worst_place.y, z.worst_place.z));
+    }
+    for (const SolveMeasure& s : report.solves) {
+        if (s.result.status == SolveStatus::converged ||
+            s.result.status == SolveStatus::algebraic) {
+            continue;
+        }
+        found.push_back(
+            fmt::format("{} '{}' {} after {} (displacement {:.1e} cells, asked {:.1e})",
+                        s.is_block ? "block" : "face", s.name, status_name(s.result.status),
+                        counted(static_cast<std::size_t>(s.result.iterations), "iteration"),
+                        s.result.displacement, s.result.tolerance));
+    }
+    for (const InterfaceMeasure& i : report.interfaces) {
+        if (i.mismatched == 0) continue;
+        found.push_back(
+            fmt::format("interface '{}' differs at {}", i.name, counted(i.mismatched, "node")));
+    }
+    return found;
+}
+
+}  // namespace
+
+std::string to_text(const Report& report, bool verbose) {
+    std::string text = spacing_table(report);
+    text += "\n" + solve_table(report, verbose);
+    text += "\n" + zone_table(report);
+    text += "\n" + stage_line(report);
+    return text;
+}
+
+std::string verdict(const Report& report) {
+    const std::vector<std::string> found = faults(report);
+    if (!found.empty()) {
+        std::string text = "NOT SOUND: ";
+        for (std::size_t f = 0; f < found.size(); ++f) text += (f > 0 ? "; " : "") + found[f];
+        return text;
+    }
+    return fmt::format(
+        "sound: {}, {}, none folded, worst scaled Jacobian {:.4g} in '{}', {} "
+        "the same to the last bit",
+        counted(report.zones.size(), "zone"), counted(report.cells, "cell"),
+        report.worst_scaled_jacobian(), worst_zone(report).name,
+        counted(report.interfaces.size(), "interface"));
+}
+
+}  // namespace hexweave

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/topology_text.h"
+
+#include <fmt/core.h>
+
+namespace hexweave {
+namespace {
+
+std::string zone_line(const std::string& name, const Extent& extent) {
+    std::string nodes = fmt::format("{} x {}", extent.ni, extent.nj);
+    if (extent.nk > 1) nodes += fmt::format(" x {}", extent.nk);
+    return fmt::format("  {:<24} {:>16} nodes {:>12} cells\n", name, nodes, extent.cells());
+}
+
+std::string boundary_line(const Topology& topology, const Boundary& boundary) {
+    std::string text = fmt::format("  {:<24} {:<20}", boundary.family.name, boundary.family.type);
+    for (const int side : boundary.sides) {
+        const auto s = static_cast<std::size_t>(side);
+        text += " " + (topology.is_3d() ? topology.faces[s].name : topology.edges[s].name);
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string to_text(const Topology& topology) {
+    std::string text = fmt::format("{} vertices, {} edges, {} faces, {} blocks; {} cells\n",
+                                   topology.vertices.size(), topology.edges.size(),
+                                   topology.faces.size(), topology.blocks.size(), topology.cells());
+    text += "zones:\n";
+    if (topology.is_3d()) {
+        for (const Block& b : topology.blocks) text += zone_line(b.name, b.extent);
+    } else {
+        for (const Face& f : topology.faces) text += zone_line(f.name, f.extent());
+    }
+    text += "boundaries:\n";
+    for (const Boundary& b : topology.boundaries) text += boundary_line(topology, b);
+    return text;
+}
+
+}  // namespace hexweave

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a resolved topology holds, as `check` prints it.
+#pragma once
+
+#include <string>
+
+#include "topology/topology.h"
+
+namespace hexweave {
+
+/// Counts, a line per zone with its cells, a line per boundary, and the memory that a run needs.
+std::string to_text(const Topology& topology);
+
+}  // namespace hexweave
