@@ -1,4 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
-int main() {
-    return 0;
+// argv -> command -> exit code.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+
+#include "commands/command.h"
+#include "core/errors.h"
+#include "io/cgns.h"
+#include "io/output_files.h"
+
+namespace {
+
+constexpr const char* description =
+    "hexweave: multiblock structured grids for CFD from a declarative text file\n";
+constexpr const char* footer =
+    "\nExit codes: 0 done; 1 the grid was written but is not sound; 2 the input or the command "
+    "line\n"
+    "is wrong, nothing written; 3 the machine failed, nothing written.";
+
+/// Runs the chosen command; what it throws ends in a message and an exit code.
+int run(const hexweave::ChosenCommand& command) {
+    using hexweave::ExitCode;
+    const auto failed = [](ExitCode code, const char* message) {
+        std::fprintf(stderr, "hexweave: error: %s\n", message);
+        return static_cast<int>(code);
+    };
+    try {
+        return static_cast<int>(command());
+    } catch (const hexweave::UsageError& e) {
+        return failed(ExitCode::wrong_input, e.what());
+    } catch (const hexweave::MachineError& e) {
+        return failed(ExitCode::machine_failed, e.what());
+    } catch (const std::bad_alloc&) {
+        return failed(ExitCode::machine_failed, "out of memory; nothing was written");
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    hexweave::prepare_hdf5();
+    hexweave::remove_staged_files_on_signals();
+
+    CLI::App app{description, "hexweave"};
+    app.set_version_flag("--version", "hexweave " HEXWEAVE_VERSION);
+    app.require_subcommand(1);
+    app.footer(footer);
+    hexweave::ChosenCommand chosen;
+    hexweave::add_run(app, chosen);
+    hexweave::add_check(app, chosen);
+    hexweave::add_plot(app, chosen);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        const bool asked_for_text = e.get_exit_code() == 0;
+        app.exit(e);
+        return static_cast<int>(asked_for_text ? hexweave::ExitCode::done
+                                               : hexweave::ExitCode::wrong_input);
+    }
+    return run(chosen);
 }

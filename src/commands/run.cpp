@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// hexweave run CONFIG: the main job.
+#include <fmt/core.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "commands/case_options.h"
+#include "commands/command.h"
+#include "commands/progress.h"
+#include "generate.h"
+#include "io/cgns.h"
+#include "io/output_files.h"
+#include "io/report_text.h"
+
+namespace hexweave {
+namespace {
+
+struct RunOptions {
+    CaseOptions input;
+    std::string output;
+};
+
+/// Where the grid goes: -o, else the file's `output`, else the config's stem.
+std::filesystem::path output_path(const RunOptions& options, const Topology& topology) {
+    std::filesystem::path path = options.output;
+    if (path.empty()) path = topology.cgns_output;
+    if (path.empty() && options.input.config == "-") {
+        throw UsageError("a config from standard input needs -o FILE or `output: {cgns: FILE}`");
+    }
+    if (path.empty()) path = std::filesystem::path(options.input.config).stem().string() + ".cgns";
+    if (path.extension() != ".cgns") {
+        throw UsageError("cannot write '" + path.string() + "': the name must end in .cgns");
+    }
+    return path;
+}
+
+ExitCode run(const RunOptions& options, Outcome& outcome) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto source = read_source(options.input.config);
+    const std::vector<Override> overrides = parse_overrides(options.input.set);
+    Topology topology = read_topology(source, overrides, outcome.diagnostics);
+    settle_warnings(outcome.diagnostics, options.input);
+
+    // The output is staged before the work: a folder that cannot be written is told at once.
+    const std::filesystem::path path = output_path(options, topology);
+    OutputFiles files;
+    const std::filesystem::path staged = files.stage(path);
+    const Generated made = generate(std::move(topology), make_progress(options.input.quiet));
+    outcome.report = made.report;
+    write_cgns(made.grid, staged);
+    files.commit();
+    outcome.outputs.push_back(path.string());
+
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    // With the JSON on standard output nothing else may stand there.
+    std::FILE* out = options.input.json == "-" ? stderr : stdout;
+    if (!options.input.quiet) {
+        fmt::print(out, "{}\n", to_text(made.report, options.input.verbose));
+        fmt::print(out, "{}\n", verdict(made.report));
+        fmt::print(out, "wrote {} in {:.2f} s\n", path.string(), taken.count());
+    } else if (!made.report.sound()) {
+        fmt::print(stderr, "{}: {}\n", path.string(), verdict(made.report));
+    }
+    return made.report.sound() ? ExitCode::done : ExitCode::not_sound;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, ChosenCommand& chosen) {
+    CLI::App* command = app.add_subcommand("run", "make the grid that a config describes");
+    auto options = std::make_shared<RunOptions>();
+    add_case_options(*command, options->input);
+    command->add_option("-o,--output", options->output,
+                        "write the grid here (default: what the config says, else its stem)");
+    command->callback([options, &chosen] {
+        chosen = [options] {
+            return run_case_command("run", options->input,
+                                    [options](Outcome& outcome) { return run(*options, outcome); });
+        };
+    });
+}
+
+}  // namespace hexweave

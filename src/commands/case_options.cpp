@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/case_options.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <new>
+
+#include "core/parallel.h"
+#include "core/processors.h"
+#include "io/output_files.h"
+
+namespace hexweave {
+namespace {
+
+std::string read_all(std::istream& stream) {
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void print_errors(const std::string& text) {
+    std::fflush(stdout);
+    std::fputs(text.c_str(), stderr);
+}
+
+/// "2 errors, 1 warning".
+std::string tally(const Diagnostics& d) {
+    const auto counted = [](int n, const char* what) {
+        return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+    };
+    std::string text = counted(d.errors(), "error");
+    if (d.warnings() > 0) text += ", " + counted(d.warnings(), "warning");
+    return text + "\n";
+}
+
+void write_json(const Outcome& outcome, const std::string& path) {
+    const std::string text = to_json(outcome);
+    if (path == "-") {
+        std::fputs(text.c_str(), stdout);
+        return;
+    }
+    OutputFiles files;
+    const std::filesystem::path staged = files.stage(path);
+    std::ofstream stream(staged, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream) throw MachineError("cannot write '" + path + "': " + std::strerror(errno));
+    files.commit();
+}
+
+/// The body, with every failure turned into its message and exit code.
+ExitCode guarded(const std::function<ExitCode(Outcome&)>& body, Outcome& outcome) {
+    const auto failed = [&outcome](ExitCode code, const std::string& message) {
+        outcome.failure = message;
+        print_errors("hexweave: error: " + message + "\n");
+        return code;
+    };
+    try {
+        return body(outcome);
+    } catch (const InputError& e) {
+        outcome.diagnostics = e.diagnostics;
+        print_errors(render(e.diagnostics) + tally(e.diagnostics));
+        return ExitCode::wrong_input;
+    } catch (const UsageError& e) {
+        return failed(ExitCode::wrong_input, e.what());
+    } catch (const MachineError& e) {
+        return failed(ExitCode::machine_failed, e.what());
+    } catch (const std::bad_alloc&) {
+        return failed(ExitCode::machine_failed, "out of memory; nothing was written");
+    }
+}
+
+}  // namespace
+
+void add_case_options(CLI::App& command, CaseOptions& options) {
+    command.add_option("CONFIG", options.config, "the YAML file; - reads standard input")
+        ->required();
+    command.add_option("--set", options.set, "NAME=EXPR: give a parameter another value")
+        ->allow_extra_args(false);
+    command.add_option("--json", options.json,
+                       "write the outcome as JSON to this file; - prints it");
+    command
+        .add_option("-j,--threads", options.threads,
+                    "threads (default: OMP_NUM_THREADS, else all that this process may use)")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--strict", options.strict, "treat warnings as errors");
+    CLI::Option* verbose =
+        command.add_flag("--verbose", options.verbose, "print every solver step");
+    command.add_flag("--quiet", options.quiet, "print nothing but errors")->excludes(verbose);
+}
+
+std::shared_ptr<const SourceFile> read_source(const std::string& config) {
+    if (config == "-") {
+        return std::make_shared<SourceFile>(SourceFile{"<stdin>", read_all(std::cin)});
+    }
+    const auto refuse = [&config](const char* reason) {
+        throw UsageError("cannot read '" + config + "': " + reason);
+    };
+    if (std::filesystem::is_directory(config)) refuse("it is a folder");
+    std::ifstream stream(config, std::ios::binary);
+    if (!stream) refuse(std::strerror(errno));
+    std::string text = read_all(stream);
+    if (stream.bad()) refuse(std::strerror(errno));
+    return std::make_shared<SourceFile>(SourceFile{config, std::move(text)});
+}
+
+std::vector<Override> parse_overrides(const std::vector<std::string>& set) {
+    std::vector<Override> overrides;
+    for (const std::string& text : set) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+            throw UsageError("--set takes NAME=EXPR, not '" + text + "'");
+        }
+        overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    }
+    return overrides;
+}
+
+void settle_warnings(const Diagnostics& diagnostics, const CaseOptions& options) {
+    if (diagnostics.warnings() == 0) return;
+    if (options.strict) {
+        Diagnostics errors;
+        for (Diagnostic d : diagnostics.all()) {
+            Diagnostic& e =
+                errors.error(d.place, d.message + " (an error because of --strict)", d.hint);
+            e.notes = d.notes;
+        }
+        throw InputError(errors);
+    }
+    if (!options.quiet) print_errors(render(diagnostics));
+}
+
+ExitCode run_case_command(const char* command, const CaseOptions& options,
+                          const std::function<ExitCode(Outcome&)>& body) {
+    set_threads(choose_threads(options.threads));
+    Outcome outcome;
+    outcome.command = command;
+    outcome.config = options.config;
+    ExitCode code = guarded(body, outcome);
+    outcome.exit_code = static_cast<int>(code);
+    if (!options.json.empty()) {
+        const ExitCode written = guarded(
+            [&options](Outcome& o) {
+                write_json(o, options.json);
+                return ExitCode::done;
+            },
+            outcome);
+        if (written != ExitCode::done) code = written;
+    }
+    return code;
+}
+
+}  // namespace hexweave

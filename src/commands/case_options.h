@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `run` and `check` share: the config and its overrides, where diagnostics go, and the JSON.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/diagnostics.h"
+#include "core/errors.h"
+#include "io/report_json.h"
+#include "topology/read_case.h"
+
+namespace hexweave {
+
+struct CaseOptions {
+    std::string config;            ///< "-" reads standard input
+    std::vector<std::string> set;  ///< NAME=EXPR
+    std::string json;              ///< "-" writes standard output; empty: none
+    int threads = 0;               ///< 0: OMP_NUM_THREADS or all
+    bool strict = false;
+    bool verbose = false;
+    bool quiet = false;
+};
+
+/// Adds CONFIG, --set, -j, --json, --strict, --verbose and --quiet to a subcommand.
+void add_case_options(CLI::App& command, CaseOptions& options);
+
+/// The config's text. Throws UsageError when it cannot be read.
+std::shared_ptr<const SourceFile> read_source(const std::string& config);
+
+/// Splits NAME=EXPR. Throws UsageError for anything else.
+std::vector<Override> parse_overrides(const std::vector<std::string>& set);
+
+/// Runs the body of a command and turns every failure into its exit code: input errors are printed
+/// and give wrong_input, the machine's failures machine_failed. With --strict, warnings are errors.
+/// The body fills the outcome; the JSON is written whatever happens.
+ExitCode run_case_command(const char* command, const CaseOptions& options,
+                          const std::function<ExitCode(Outcome&)>& body);
+
+/// With --strict, throws InputError when there are warnings; else prints them to standard error.
+void settle_warnings(const Diagnostics& diagnostics, const CaseOptions& options);
+
+}  // namespace hexweave
