@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every shipped case, run as a user runs it; the big one in a coarse form. The facts are checked on
+// the file that came out, not on what the program says of it.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/multiblock.h"
+#include "io/cgns.h"
+#include "quality/measure.h"
+#include "tests/commands/program.h"
+
+using namespace hexweave;
+using namespace hexweave::testing;
+using Json = nlohmann::json;
+
+namespace {
+
+struct ShippedCase {
+    std::string name;
+    std::string overrides;  // a coarse form where the shipped one is big
+    std::size_t zones;
+    std::size_t cells;
+    std::string expected_of_vtk;  // tests/tools/vtk_check.py
+};
+
+const std::vector<ShippedCase> shipped_cases{
+    {"naca0012", "", 4, 8192, "front_up,rear_up,rear_low,front_low airfoil,farfield"},
+    {"rae2822", "", 4, 24576, "upper,lower,wake_up,wake_low airfoil,farfield,outflow"},
+    {"obstacle", "", 1, 24000, "ring body,farfield"},
+    {"scherk", "", 1, 1600, "surface rim"},
+    {"pipe", "--set across=8 --set radial=12 --set along=10", 5, 4480,
+     "middle,east,north,west,south wall,inlet,outlet"},
+    {"swept_wing", "--set span_cells=6 --set wall_cells=20 --set wake_cells=10 --set normal=24", 4,
+     8640, "upper,lower,wake_up,wake_low wing,farfield,outflow,root,tip"},
+};
+
+/// Interfaces whose two sides differ in any bit, by the nodes of the file.
+std::size_t mismatched_nodes(const MultiblockGrid& grid) {
+    std::size_t count = 0;
+    for (const Interface& f : grid.interfaces) {
+        const PointField& own = grid.zones[static_cast<std::size_t>(f.zone)].points;
+        const PointField& donor = grid.zones[static_cast<std::size_t>(f.donor)].points;
+        for (int k = f.box.begin[2]; k <= f.box.end[2]; ++k)
+            for (int j = f.box.begin[1]; j <= f.box.end[1]; ++j)
+                for (int i = f.box.begin[0]; i <= f.box.end[0]; ++i) {
+                    const Node n = donor_node(f, {i, j, k});
+                    if (!(own(i, j, k) == donor(n[0], n[1], n[2]))) ++count;
+                }
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("every shipped case gives a sound grid that other programs read") {
+    for (const ShippedCase& c : shipped_cases) {
+        DYNAMIC_SECTION(c.name) {
+            const Scratch scratch;
+            const Finished run = scratch.hexweave("run " + shipped(c.name + ".yaml") + " " +
+                                                  c.overrides + " --strict --json report.json");
+            INFO(run.out << run.err);
+            REQUIRE(run.exit_code == 0);
+            REQUIRE(scratch.has(c.name + ".cgns"));
+
+            const Json report = Json::parse(scratch.read("report.json"));
+            CHECK(report["exit_code"] == 0);
+            CHECK(report["report"]["sound"] == true);
+            CHECK(report["report"]["cells"] == c.cells);
+            for (const Json& s : report["report"]["spacings"]) {
+                if (!s["first_asked"].is_null()) {
+                    CHECK(s["first_got"].get<double>() ==
+                          Approx(s["first_asked"].get<double>()).epsilon(1e-6));
+                }
+                if (!s["last_asked"].is_null()) {
+                    CHECK(s["last_got"].get<double>() ==
+                          Approx(s["last_asked"].get<double>()).epsilon(1e-6));
+                }
+            }
+
+            const MultiblockGrid grid = read_cgns(scratch.path() / (c.name + ".cgns"));
+            CHECK(grid.zones.size() == c.zones);
+            CHECK(mismatched_nodes(grid) == 0);
+            std::size_t cells = 0;
+            for (const Zone& zone : grid.zones) {
+                const ZoneMeasure measured = measure_zone(zone, grid.physical_dimension);
+                cells += measured.cells;
+                CHECK(measured.folded == 0);
+                CHECK(measured.worst_scaled_jacobian > 0);
+            }
+            CHECK(cells == c.cells);
+
+            const Finished check = scratch.shell("cgnscheck -w3 " + c.name + ".cgns");
+            INFO(check.out);
+            CHECK(check.out.find("ERROR") == std::string::npos);
+            CHECK(check.out.find("WARNING") == std::string::npos);
+
+            const Finished vtk =
+                scratch.shell("/usr/bin/python3 " HEXWEAVE_SOURCE_DIR "/tests/tools/vtk_check.py " +
+                              c.name + ".cgns " + c.expected_of_vtk);
+            INFO(vtk.out << vtk.err);
+            CHECK(vtk.exit_code == 0);
+        }
+    }
+}
+
+TEST_CASE("the bytes do not depend on the threads, nor on the run") {
+    for (const std::string config : {"naca0012", "pipe"}) {
+        const Scratch scratch;
+        const std::string run =
+            "run --quiet " + shipped(config + ".yaml") +
+            (config == "pipe" ? " --set across=6 --set radial=8 --set along=8" : "");
+        REQUIRE(scratch.hexweave(run + " -j 1 -o one.cgns").exit_code == 0);
+        REQUIRE(scratch.hexweave(run + " -j 2 -o two.cgns").exit_code == 0);
+        REQUIRE(scratch.hexweave(run + " -j 7 -o seven.cgns").exit_code == 0);
+        CHECK(scratch.read("one.cgns").size() > 10000);
+        CHECK(scratch.read("one.cgns") == scratch.read("two.cgns"));
+        CHECK(scratch.read("one.cgns") == scratch.read("seven.cgns"));
+    }
+}
+
+TEST_CASE("the transfinite start grid of the obstacle is severely folded") {
+    const Scratch scratch;
+    REQUIRE(
+        scratch.hexweave("run --json - " + shipped("obstacle.yaml") + " >report.json").exit_code ==
+        0);
+    const Json report = Json::parse(scratch.read("report.json"));
+    CHECK(report["report"]["solves"][0]["folded_before"] > 500);
+    CHECK(report["report"]["solves"][0]["folded_after"] == 0);
+    CHECK(report["report"]["folded"] == 0);
+}
+
+namespace {
+
+/// The greatest distance of the grid's nodes from Scherk's surface z = f(x, y), to first order: the
+/// distance in z over the length of the normal (-f_x, -f_y, 1).
+double distance_to_scherk(const Scratch& scratch, int cells, int stretched) {
+    const Finished run =
+        scratch.hexweave("run --quiet " + shipped("scherk.yaml") +
+                         " --set tolerance=1e-6 --set cells=" + std::to_string(cells) +
+                         " --set stretched=" + std::to_string(stretched) + " -o s.cgns");
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    const PointField points = read_cgns(scratch.path() / "s.cgns").zones.at(0).points;
+    double worst = 0;
+    for (std::size_t n = 0; n < points.extent().nodes(); ++n) {
+        const Vec3 p = points[n];
+        const Vec3 normal{-std::tan(p.x), std::tan(p.y), 1};
+        const double in_z = p.z - std::log(std::cos(p.y) / std::cos(p.x));
+        worst = std::max(worst, std::abs(in_z) / norm(normal));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the Scherk grid nears the exact surface with second order, however its edges are spaced") {
+    const Scratch scratch;
+    for (const int stretched : {0, 1}) {
+        const double coarse = distance_to_scherk(scratch, 40, stretched);
+        const double medium = distance_to_scherk(scratch, 80, stretched);
+        const double fine = distance_to_scherk(scratch, 160, stretched);
+        INFO("distances " << coarse << ", " << medium << ", " << fine);
+        CHECK(std::log2(coarse / medium) > 1.8);
+        CHECK(std::log2(medium / fine) > 1.88);
+        CHECK(fine < 5e-4);
+    }
+}
+
+namespace {
+
+/// The greatest displacement between two grids, relative to the shortest edge at each node.
+double greatest_difference(const PointField& a, const PointField& b) {
+    const Extent e = a.extent();
+    double worst = 0;
+    for (int j = 0; j < e.nj; ++j) {
+        for (int i = 0; i < e.ni; ++i) {
+            double shortest = 1e300;
+            for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                if (i + di < 0 || i + di >= e.ni || j + dj < 0 || j + dj >= e.nj) continue;
+                shortest = std::min(shortest, distance(a(i, j), a(i + di, j + dj)));
+            }
+            worst = std::max(worst, distance(a(i, j), b(i, j)) / shortest);
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("the grid does not depend on the start grid, folded or not") {
+    const Scratch scratch;
+    const std::string run = "run --quiet " + shipped("naca0012.yaml") + " --set tolerance=1e-8";
+    REQUIRE(scratch.hexweave(run + " -o plain.cgns").exit_code == 0);
+    std::string text = slurp(shipped("naca0012.yaml"));
+    const std::size_t at = text.find("solver: {");
+    REQUIRE(at != std::string::npos);
+    text.insert(at + 9, "start: folded, ");
+    scratch.write("folded.yaml", text);
+    const Finished folded = scratch.hexweave(
+        "run --json report.json --set tolerance=1e-8 folded.yaml "
+        "-o folded.cgns");
+    INFO(folded.err << folded.out);
+    REQUIRE(folded.exit_code == 0);
+    const Json report = Json::parse(scratch.read("report.json"));
+    CHECK(report["report"]["solves"][0]["folded_before"] > 100);
+    const MultiblockGrid a = read_cgns(scratch.path() / "plain.cgns");
+    const MultiblockGrid b = read_cgns(scratch.path() / "folded.cgns");
+    for (std::size_t z = 0; z < a.zones.size(); ++z) {
+        CHECK(greatest_difference(a.zones[z].points, b.zones[z].points) < 1e-6);
+    }
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// What users see when something is wrong: the message, the exit code, and files left as they were.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "tests/commands/program.h"
+
+using namespace hexweave::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string tiny = R"(hexweave: 1
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1]}
+edges:
+  south: {from: a, to: b, cells: 4}
+  west: {from: a, to: d, cells: 3}
+faces:
+  square: {corners: [a, b, c, d]}
+boundaries:
+  rim: {type: BCWall, sides: [south, west, b-c, c-d]}
+)";
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Whether every line of `part` stands in `text`, in the same order.
+bool contains_lines(const std::string& text, const std::string& part) {
+    std::istringstream lines(part);
+    std::size_t at = 0;
+    for (std::string line; std::getline(lines, line);) {
+        at = text.find(line + "\n", at);
+        if (at == std::string::npos) return false;
+        at += line.size() + 1;
+    }
+    return true;
+}
+
+}  // namespace
+
+// The text beside a case is that of reading it alone; resolving may find more in between.
+TEST_CASE("every bad case is refused with the text that stands beside it") {
+    int cases = 0;
+    for (const auto& entry : fs::directory_iterator(HEXWEAVE_SOURCE_DIR "/tests/cases/bad")) {
+        if (entry.path().extension() != ".yaml") continue;
+        ++cases;
+        const Scratch scratch;
+        const std::string name = entry.path().filename().string();
+        fs::copy(entry.path().parent_path(), scratch.path());  // some name files beside them
+        scratch.write("out.cgns", "what was there before");
+        const Finished run = scratch.hexweave("run " + name + " -o out.cgns");
+        fs::path expected = entry.path();
+        expected.replace_extension(".txt");
+        INFO(name);
+        CHECK(run.exit_code == 2);
+        INFO(run.err);
+        CHECK(contains_lines(run.err, slurp(expected)));
+        CHECK(run.out.empty());
+        CHECK(scratch.read("out.cgns") == "what was there before");
+        CHECK(scratch.hexweave("check " + name).exit_code == 2);
+    }
+    CHECK(cases >= 25);
+}
+
+TEST_CASE("a config from standard input needs a name for its grid") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    const Finished nameless = scratch.hexweave("run - <tiny.yaml");
+    CHECK(nameless.exit_code == 2);
+    CHECK(contains(nameless.err, "needs -o FILE"));
+    const Finished named = scratch.hexweave("run - -o grid.cgns <tiny.yaml");
+    INFO(named.err);
+    CHECK(named.exit_code == 0);
+    CHECK(scratch.listing() == "grid.cgns tiny.yaml");
+}
+
+TEST_CASE("the output is named after the config where nothing else names it") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    CHECK(scratch.hexweave("run tiny.yaml").exit_code == 0);
+    CHECK(scratch.has("tiny.cgns"));
+}
+
+TEST_CASE("the command line is checked") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    CHECK(scratch.hexweave("").exit_code == 2);
+    CHECK(scratch.hexweave("fly").exit_code == 2);
+    CHECK(scratch.hexweave("run").exit_code == 2);
+    CHECK(scratch.hexweave("run missing.yaml").exit_code == 2);
+    CHECK(contains(scratch.hexweave("run missing.yaml").err,
+                   "cannot read 'missing.yaml': No such file or directory"));
+    CHECK(scratch.hexweave("run tiny.yaml --set cells").exit_code == 2);
+    CHECK(scratch.hexweave("run tiny.yaml -o tiny.xyz").exit_code == 2);
+    CHECK(scratch.hexweave("run tiny.yaml -j 0").exit_code == 2);
+    CHECK(scratch.listing() == "tiny.yaml");
+    CHECK(scratch.hexweave("--help").exit_code == 0);
+    CHECK(contains(scratch.hexweave("--help").out, "Exit codes"));
+    CHECK(contains(scratch.hexweave("--version").out, "hexweave 0."));
+}
+
+TEST_CASE("with --strict a warning is an error") {
+    const Scratch scratch;
+    scratch.write("open.yaml", tiny.substr(0, tiny.find("boundaries")));
+    const Finished lax = scratch.hexweave("run open.yaml");
+    CHECK(lax.exit_code == 0);
+    CHECK(contains(lax.err, "warning"));
+    fs::remove(scratch.path() / "open.cgns");
+    const Finished strict = scratch.hexweave("run --strict open.yaml");
+    CHECK(strict.exit_code == 2);
+    CHECK(!scratch.has("open.cgns"));
+}
+
+TEST_CASE("--json tells the outcome whatever it was") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    scratch.write("bad.yaml", "hexweave: 1\nvertices: {a: [0, 0, q]}\n");
+    CHECK(scratch.hexweave("run bad.yaml --json bad.json").exit_code == 2);
+    const auto bad = nlohmann::json::parse(scratch.read("bad.json"));
+    CHECK(bad["exit_code"] == 2);
+    CHECK(bad["report"].is_null());
+    CHECK(bad["diagnostics"][0]["line"] == 2);
+    CHECK(bad["diagnostics"][0]["file"] == "bad.yaml");
+    const Finished printed = scratch.hexweave("run tiny.yaml --json -");
+    const auto good = nlohmann::json::parse(printed.out);
+    CHECK(good["hexweave_json"] == 1);
+    CHECK(good["outputs"][0] == "tiny.cgns");
+    CHECK(good["report"]["cells"] == 12);
+}
+
+TEST_CASE("a result that did not converge is written, named and gives exit code 1") {
+    const Scratch scratch;
+    std::string text = slurp(shipped("obstacle.yaml"));
+    const std::size_t at = text.find("solver: {");
+    REQUIRE(at != std::string::npos);
+    text.insert(at + 9, "maximum_iterations: 2, ");
+    scratch.write("hard.yaml", text);
+    const Finished run = scratch.hexweave("run hard.yaml -o hard.cgns");
+    CHECK(run.exit_code == 1);
+    CHECK(scratch.has("hard.cgns"));
+    CHECK(contains(run.out, "NOT SOUND"));
+    CHECK(contains(run.out, "face 'ring' not converged after 2 iterations"));
+}
+
+TEST_CASE("a folded result is written, named and gives exit code 1") {
+    const Scratch scratch;
+    std::string text = slurp(shipped("obstacle.yaml"));
+    const std::size_t at = text.find("jmax: -far_line");
+    REQUIRE(at != std::string::npos);
+    text.insert(at + 15, ", method: algebraic");
+    scratch.write("folded.yaml", text);
+    const Finished run = scratch.hexweave("run folded.yaml -o folded.cgns");
+    CHECK(run.exit_code == 1);
+    CHECK(scratch.has("folded.cgns"));
+    CHECK(contains(run.out, "folded cells in zone 'ring'"));
+}
+
+TEST_CASE("an output that cannot be written is told before the work, and nothing is left") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    scratch.write("file", "");
+    const Finished missing = scratch.hexweave("run tiny.yaml -o nowhere/grid.cgns");
+    CHECK(missing.exit_code == 3);
+    CHECK(contains(missing.err, "nowhere"));
+    const Finished through = scratch.hexweave("run tiny.yaml -o file/grid.cgns");
+    CHECK(through.exit_code == 3);
+    CHECK(scratch.listing() == "file tiny.yaml");
+}
+
+TEST_CASE("a full disk gives exit code 3 and leaves the former grid as it was") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    scratch.write("full.sh",
+                  "mount -t tmpfs -o size=48k none disk || exit 77\n"
+                  "printf former >disk/grid.cgns\n"
+                  "'" HEXWEAVE_PROGRAM
+                  "' run tiny.yaml -o disk/grid.cgns\n"
+                  "echo \"exit $? with $(ls -A disk): $(cat disk/grid.cgns)\"\n");
+    const Finished run = scratch.shell("mkdir disk && unshare -Urm sh full.sh");
+    INFO(run.out << run.err);
+    if (run.exit_code != 0) {
+        WARN("skipped: no user namespace with a small filesystem can be had here: " << run.err);
+        return;
+    }
+    CHECK(contains(run.out, "exit 3 with grid.cgns: former"));
+    CHECK(contains(run.err, "cannot write 'disk/grid.cgns': no space left on device"));
+}
+
+TEST_CASE("a file-size limit gives exit code 3 and leaves the former grid as it was") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    scratch.write("grid.cgns", "former");
+    // SIGXFSZ is ignored so that writing fails as on a full disk.
+    const Finished run = scratch.shell("trap '' XFSZ; ulimit -f 8; '" HEXWEAVE_PROGRAM
+                                       "' run tiny.yaml -o grid.cgns");
+    INFO(run.err);
+    CHECK(run.exit_code == 3);
+    CHECK(contains(run.err, "cannot write 'grid.cgns'"));
+    CHECK(scratch.read("grid.cgns") == "former");
+    CHECK(scratch.listing() == "grid.cgns tiny.yaml");
+}
+
+TEST_CASE("an interrupted run leaves nothing behind") {
+    const Scratch scratch;
+    const std::string config = shipped("pipe.yaml");
+    scratch.write("grid.cgns", "former");
+    const Finished run = scratch.shell(
+        std::string("timeout --preserve-status -s INT 0.4 '") + HEXWEAVE_PROGRAM + "' run " +
+        config + " --set across=60 --set radial=60 --set along=60 -o grid.cgns");
+    CHECK(run.exit_code == 130);
+    CHECK(scratch.read("grid.cgns") == "former");
+    CHECK(scratch.listing() == "grid.cgns");
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the program as a user does: in a folder of its own, through a shell, keeping what it
+// printed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace hexweave::testing {
+
+struct Finished {
+    int exit_code = 0;  ///< 128 + signal where a signal ended it, as shells say
+    std::string out;
+    std::string err;
+};
+
+/// An empty folder that is removed at the end of the test.
+class Scratch {
+public:
+    Scratch();
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch();
+
+    const std::filesystem::path& path() const { return path_; }
+    /// Runs `hexweave ARGUMENTS` (shell syntax) in this folder.
+    Finished hexweave(const std::string& arguments) const;
+    /// Runs any shell command in this folder.
+    Finished shell(const std::string& command) const;
+    /// Writes a text file and returns its name.
+    std::string write(const std::string& name, const std::string& text) const;
+    bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
+    std::string read(const std::string& name) const;
+    /// The names of everything in the folder, hidden files too, sorted, joined by spaces.
+    std::string listing() const;
+
+private:
+    std::filesystem::path path_;
+};
+
+/// The whole of a file, as bytes.
+std::string slurp(const std::filesystem::path& path);
+
+/// A file of configs/.
+std::string shipped(const std::string& name);
+
+}  // namespace hexweave::testing
