@@ -45,11 +45,15 @@ void write_json(const Outcome& outcome, const std::string& path) {
         return;
     }
     OutputFiles files;
-    const std::filesystem::path staged = files.stage(path);
-    std::ofstream stream(staged, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) throw MachineError("cannot write '" + path + "': " + std::strerror(errno));
+    files.write(files.stage(path), [&text](const std::filesystem::path& temporary) {
+        std::ofstream stream(temporary, std::ios::binary);
+        stream << text;
+        stream.close();
+        if (!stream) {
+            throw MachineError(
+                fmt::format("cannot write '{}': {}", temporary.string(), error_reason(errno)));
+        }
+    });
     files.commit();
 }
 

@@ -112,7 +112,10 @@ ExitCode plot(const PlotArguments& arguments) {
     const PictureOptions options = picture_options(arguments);
     const MultiblockGrid grid = read_cgns(arguments.grid);
     OutputFiles files;
-    const PictureSummary shown = draw_picture(grid, options, format, files.stage(arguments.output));
+    PictureSummary shown;
+    files.write(files.stage(arguments.output), [&](const std::filesystem::path& temporary) {
+        shown = draw_picture(grid, options, format, temporary);
+    });
     files.commit();
     const std::string line = fmt::format(
         "wrote {} ({} x {}, {} zone{}, window {:.5g} {:.5g} {:.5g} {:.5g})\n", arguments.output,

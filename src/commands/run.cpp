@@ -49,7 +49,7 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     const std::filesystem::path staged = files.stage(path);
     const Generated made = generate(std::move(topology), make_progress(options.input.quiet));
     outcome.report = made.report;
-    write_cgns(made.grid, staged);
+    files.write(staged, [&made](const auto& temporary) { write_cgns(made.grid, temporary); });
     files.commit();
     outcome.outputs.push_back(path.string());
 

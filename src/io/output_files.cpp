@@ -224,6 +224,22 @@ fs::path OutputFiles::stage(const fs::path& final_path) {
     return staged_.back().temporary.path();
 }
 
+void OutputFiles::write(const fs::path& temporary,
+                        const std::function<void(const fs::path&)>& writer) const {
+    try {
+        writer(temporary);
+    } catch (const MachineError& error) {
+        std::string message = error.what();
+        for (const Staged& staged : staged_) {
+            const std::string hidden = staged.temporary.path().string();
+            const std::size_t at = message.find(hidden);
+            if (at == std::string::npos) continue;
+            message.replace(at, hidden.size(), staged.given_path.string());
+        }
+        throw MachineError(message);
+    }
+}
+
 void OutputFiles::commit() {
     for (const Staged& staged : staged_) flush(staged.temporary.path(), staged.given_path);
     const SignalsHeld held;

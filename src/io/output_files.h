@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ public:
     /// folder is missing or not writable, when the path is a folder or a device, or when an
     /// existing file may not be written; UsageError when the same file is staged twice.
     std::filesystem::path stage(const std::filesystem::path& final_path);
+
+    /// Calls writer(temporary) for a path that `stage` gave. A MachineError that names the
+    /// temporary path is thrown on in the name that the user gave.
+    void write(const std::filesystem::path& temporary,
+               const std::function<void(const std::filesystem::path&)>& writer) const;
 
     /// Flushes every staged file to the disk, renames all of them into place and flushes their
     /// folders. Throws MachineError when one of these steps fails; no final path has changed then.

@@ -27,14 +27,19 @@ struct ShippedCase {
 };
 
 const std::vector<ShippedCase> shipped_cases{
-    {"naca0012", "", 4, 8192, "front_up,rear_up,rear_low,front_low airfoil,farfield"},
-    {"rae2822", "", 4, 24576, "upper,lower,wake_up,wake_low airfoil,farfield,outflow"},
-    {"obstacle", "", 1, 24000, "ring body,farfield"},
-    {"scherk", "", 1, 1600, "surface rim"},
+    {"naca0012", "", 4, 8192,
+     "--zones front_up=33x65x1 rear_up=33x65x1 rear_low=33x65x1 front_low=33x65x1"},
+    {"rae2822", "", 4, 24576,
+     "--zones upper=81x97x1 lower=81x97x1 wake_up=49x97x1 wake_low=49x97x1"},
+    {"obstacle", "", 1, 24000, "--zones ring=401x61x1"},
+    {"scherk", "", 1, 1600, "--zones surface=41x41x1"},
     {"pipe", "--set across=8 --set radial=12 --set along=10", 5, 4480,
-     "middle,east,north,west,south wall,inlet,outlet"},
+     "--zones middle=9x9x11 east=13x9x11 north=13x9x11 west=13x9x11 south=13x9x11 "
+     "--families wall inlet outlet"},
     {"swept_wing", "--set span_cells=6 --set wall_cells=20 --set wake_cells=10 --set normal=24", 4,
-     8640, "upper,lower,wake_up,wake_low wing,farfield,outflow,root,tip"},
+     8640,
+     "--zones upper=21x25x7 lower=21x25x7 wake_up=11x25x7 wake_low=11x25x7 "
+     "--families wing farfield outflow root tip"},
 };
 
 /// Interfaces whose two sides differ in any bit, by the nodes of the file.
