@@ -136,8 +136,9 @@ private:
     std::optional<ExpressionFault> function(const std::string& name) const {
         if (is_function_name(name)) return std::nullopt;
         ExpressionFault fault{fmt::format("there is no function '{}'", name), {}, at_, name.size()};
-        std::vector<std::string> known;
-        for (const Function& f : functions) known.emplace_back(f.name);
+        std::vector<std::string> known(functions.size());
+        std::transform(functions.begin(), functions.end(), known.begin(),
+                       [](const Function& f) { return std::string(f.name); });
         const std::string nearest = nearest_name(name, known);
         if (name == "log") {
             fault.hint = "write 'ln' for the natural logarithm, 'log10' for that of base 10";

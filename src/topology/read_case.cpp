@@ -48,7 +48,7 @@ std::string provenance_of(const SourceFile& source, const std::vector<Override>&
 
 /// Whether the file is of the one format that there is.
 bool check_version(Reading& reading, const YamlNode& root) {
-    const YamlNode* version = root.find("hexweave");
+    const YamlNode* version = find(reading, root, "hexweave");
     if (version == nullptr) {
         reading.diagnostics.error({reading.source, 0, 0, 1}, "the key 'hexweave' is missing",
                                   "a case begins with the version of its format, 'hexweave: 1'");
@@ -63,7 +63,7 @@ bool check_version(Reading& reading, const YamlNode& root) {
 
 /// A section that is a mapping of names; null where there is none or it is empty.
 const YamlNode* section_of(Reading& reading, const YamlNode& root, std::string_view key) {
-    const YamlNode* section = root.find(key);
+    const YamlNode* section = find(reading, root, key);
     if (section == nullptr || section->is_null() || section->is_mapping()) {
         return section != nullptr && section->is_mapping() ? section : nullptr;
     }
@@ -74,7 +74,7 @@ const YamlNode* section_of(Reading& reading, const YamlNode& root, std::string_v
 
 /// Sections of the format that this version cannot read must be empty.
 void refuse_section(Reading& reading, const YamlNode& root, std::string_view key) {
-    const YamlNode* section = root.find(key);
+    const YamlNode* section = find(reading, root, key);
     if (section == nullptr || section->is_null()) return;
     if (section->is_mapping() && section->children.empty()) return;
     reading.diagnostics.error(section->key_place,
@@ -83,10 +83,10 @@ void refuse_section(Reading& reading, const YamlNode& root, std::string_view key
 }
 
 void read_title_and_units(Reading& reading, const YamlNode& root, Case& c) {
-    if (const YamlNode* title = root.find("title")) {
+    if (const YamlNode* title = find(reading, root, "title")) {
         c.title = read_text(reading, *title, "'title'").value_or("");
     }
-    if (const YamlNode* units = root.find("units")) {
+    if (const YamlNode* units = find(reading, root, "units")) {
         const Keys known{"m", "mm", "cm", "in", "ft"};
         const auto choice = read_choice(reading, *units, "'units'", known);
         if (choice) c.units = known[*choice];
@@ -97,15 +97,15 @@ void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
     const YamlNode* node = section_of(reading, root, "solver");
     if (node == nullptr) return;
     expect_mapping(reading, *node, "'solver'", {"tolerance", "maximum_iterations", "start"});
-    if (const YamlNode* tolerance = node->find("tolerance")) {
+    if (const YamlNode* tolerance = find(reading, *node, "tolerance")) {
         solver.tolerance =
             read_positive(reading, *tolerance, "'tolerance'").value_or(solver.tolerance);
     }
-    if (const YamlNode* maximum = node->find("maximum_iterations")) {
+    if (const YamlNode* maximum = find(reading, *node, "maximum_iterations")) {
         solver.maximum_iterations = read_count(reading, *maximum, "'maximum_iterations'")
                                         .value_or(solver.maximum_iterations);
     }
-    if (const YamlNode* start = node->find("start")) {
+    if (const YamlNode* start = find(reading, *node, "start")) {
         const auto choice = read_choice(reading, *start, "'start'", {"transfinite", "folded"});
         solver.start_folded = choice && *choice == 1;
     }
@@ -118,7 +118,7 @@ std::optional<Name> read_output(Reading& reading, const YamlNode& root) {
     expect_mapping(
         reading, *node, "'output'", {"cgns"},
         {{"plot3d", later, "write cgns: FILE.cgns"}, {"vtk", later, "write cgns: FILE.cgns"}});
-    const YamlNode* path = node->find("cgns");
+    const YamlNode* path = find(reading, *node, "cgns");
     if (path == nullptr) return std::nullopt;
     const auto text = read_text(reading, *path, "'cgns'");
     if (!text) return std::nullopt;

@@ -124,7 +124,7 @@ std::shared_ptr<const Curve> read_curve(Reading& reading, CurvesSoFar& curves,
         of_another ? read_other_curve(reading, curves, entry) : family->read(reading, entry);
     const std::optional<std::vector<Affine>> maps = read_transforms(reading, entry, what);
     const std::optional<bool> backwards = read_switch(reading, entry, "reverse");
-    if (!shape || !maps || !backwards) return nullptr;
+    if (!shape || !maps || !backwards || has_misspelled(reading, entry)) return nullptr;
     if (!maps->empty()) {
         Affine whole;
         for (const Affine& map : *maps) whole = compose(whole, map);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uintmax_t largest_file = 256U << 20U;
 
 std::filesystem::path resolve_path(const SourceFile& source, const std::string& written) {
-    const std::filesystem::path path(written);
+    std::filesystem::path path(written);
     if (path.is_absolute() || source.name == "<stdin>") return path;
     return std::filesystem::path(source.name).parent_path() / path;
 }

@@ -25,13 +25,13 @@ std::variant<Vec3, OnCurve> read_place(Reading& reading, const YamlNode& entry,
                                   "write [x, y], [x, y, z] or {curve: NAME, at: FRACTION}");
         return faulty;
     }
-    const bool on_surface = entry.find("surface") != nullptr;
+    const bool on_surface = find(reading, entry, "surface") != nullptr;
     expect_mapping(reading, entry, what, {"curve", "at"},
                    {{"surface", "surfaces come with a later version", ""}});
     if (on_surface) return faulty;
     tell_lacking(reading, entry, {"curve", "at"}, what);
-    const YamlNode* curve = entry.find("curve");
-    const YamlNode* at = entry.find("at");
+    const YamlNode* curve = find(reading, entry, "curve");
+    const YamlNode* at = find(reading, entry, "at");
     Name name;
     if (curve != nullptr) name = read_name(reading, *curve, "'curve'");
     const auto fraction = at == nullptr ? std::nullopt : read_number(reading, *at, "'at'");
@@ -45,7 +45,7 @@ std::variant<Vec3, OnCurve> read_place(Reading& reading, const YamlNode& entry,
 
 /// The name under a key; empty where it is faulty or not there.
 Name read_name_at(Reading& reading, const YamlNode& entry, std::string_view key) {
-    const YamlNode* node = entry.find(key);
+    const YamlNode* node = find(reading, entry, key);
     return node == nullptr ? Name{{}, entry.key_place}
                            : read_name(reading, *node, fmt::format("'{}'", key));
 }
@@ -55,8 +55,8 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
     EdgeEntry edge;
     edge.name = edge.from = edge.to = {{}, node.key_place};
     edge.name.value = node.key;
-    if (node.find("at") != nullptr && node.find("from") == nullptr) {
-        reading.diagnostics.error(node.find("at")->key_place,
+    if (find(reading, node, "at") != nullptr && find(reading, node, "from") == nullptr) {
+        reading.diagnostics.error(find(reading, node, "at")->key_place,
                                   "poles, edges that are one vertex, are not in this version yet");
         return edge;
     }
@@ -69,20 +69,20 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
     tell_lacking(reading, node, {"from", "to"}, what);
     edge.from = read_name_at(reading, node, "from");
     edge.to = read_name_at(reading, node, "to");
-    if (const YamlNode* along = node.find("along")) {
+    if (const YamlNode* along = find(reading, node, "along")) {
         edge.along = read_name(reading, *along, "'along'");
     }
-    if (const YamlNode* through = node.find("through")) {
+    if (const YamlNode* through = find(reading, node, "through")) {
         const auto point = read_point(reading, *through, "'through'");
         if (point) edge.through = {*point, through->place};
         if (!point) edge.from.value.clear();
     }
-    if (const YamlNode* cells = node.find("cells")) {
+    if (const YamlNode* cells = find(reading, node, "cells")) {
         const auto count = read_count(reading, *cells, "'cells'");
         if (count) edge.cells = {*count, cells->place};
         if (!count) edge.from.value.clear();
     }
-    if (const YamlNode* spacing = node.find("spacing")) {
+    if (const YamlNode* spacing = find(reading, node, "spacing")) {
         auto law = read_spacing(reading, *spacing);
         if (law) edge.spacing = {std::move(*law), spacing->place};
     }

@@ -24,11 +24,11 @@ Keys keys_of_sides(int count) {
 
 MethodEntry read_method(Reading& reading, const YamlNode& node) {
     MethodEntry how;
-    if (const YamlNode* method = node.find("method")) {
+    if (const YamlNode* method = find(reading, node, "method")) {
         const auto choice = read_choice(reading, *method, "'method'", {"elliptic", "algebraic"});
         if (choice && *choice == 1) how.method = Method::algebraic;
     }
-    if (const YamlNode* tolerance = node.find("tolerance")) {
+    if (const YamlNode* tolerance = find(reading, node, "tolerance")) {
         how.tolerance = read_positive(reading, *tolerance, "'tolerance'");
     }
     return how;
@@ -38,10 +38,10 @@ MethodEntry read_method(Reading& reading, const YamlNode& node) {
 /// an error.
 std::optional<bool> by_corners(Reading& reading, const YamlNode& node, const Keys& sides,
                                const std::string& what) {
-    const bool corners = node.find("corners") != nullptr;
+    const bool corners = find(reading, node, "corners") != nullptr;
     const YamlNode* first = nullptr;
     for (const std::string_view side : sides) {
-        const YamlNode* given = node.find(side);
+        const YamlNode* given = find(reading, node, side);
         if (given != nullptr && first == nullptr) first = given;
     }
     if (corners && first != nullptr) {
@@ -82,7 +82,7 @@ std::vector<SignedName> read_face_side(Reading& reading, const YamlNode& node,
 }
 
 void refuse_surface(Reading& reading, const YamlNode& node) {
-    const YamlNode* surface = node.find("surface");
+    const YamlNode* surface = find(reading, node, "surface");
     if (surface == nullptr || (surface->is_scalar() && surface->text == "minimal")) return;
     reading.diagnostics.error(surface->place, "faces on surfaces come with a later version",
                               "only 'surface: minimal' is there yet");
@@ -107,12 +107,12 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return face;
     if (*corners) {
-        face.shape = read_corners<4>(reading, *node.find("corners"));
+        face.shape = read_corners<4>(reading, *find(reading, node, "corners"));
         return face;
     }
     tell_lacking(reading, node, sides, what);
     for (std::size_t n = 0; n < 4; ++n) {
-        const YamlNode* side = node.find(sides[n]);
+        const YamlNode* side = find(reading, node, sides[n]);
         if (side != nullptr)
             edges.at(n) = read_face_side(reading, *side, fmt::format("'{}'", sides[n]));
     }
@@ -151,7 +151,7 @@ FaceUseEntry read_block_side(Reading& reading, const YamlNode& node, const std::
     expect_mapping(reading, node, what, {"face", "axes"});
     const YamlNode* face = require(reading, node, "face", what);
     if (face != nullptr) use.face = read_name(reading, *face, "'face'");
-    if (const YamlNode* axes = node.find("axes")) {
+    if (const YamlNode* axes = find(reading, node, "axes")) {
         use.axes = read_axes(reading, *axes);
         if (!use.axes) use.face.value.clear();
     }
@@ -172,12 +172,12 @@ BlockEntry read_block(Reading& reading, const YamlNode& node) {
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return block;
     if (*corners) {
-        block.shape = read_corners<8>(reading, *node.find("corners"));
+        block.shape = read_corners<8>(reading, *find(reading, node, "corners"));
         return block;
     }
     tell_lacking(reading, node, sides, what);
     for (std::size_t n = 0; n < 6; ++n) {
-        const YamlNode* side = node.find(sides[n]);
+        const YamlNode* side = find(reading, node, sides[n]);
         if (side != nullptr)
             faces.at(n) = read_block_side(reading, *side, fmt::format("'{}'", sides[n]));
     }
@@ -259,7 +259,7 @@ BoundaryEntry read_boundary(Reading& reading, const YamlNode& node) {
     }
     const YamlNode* sides = require(reading, node, "sides", what);
     if (sides != nullptr) boundary.sides = read_sides(reading, *sides);
-    if (const YamlNode* plane = node.find("plane")) {
+    if (const YamlNode* plane = find(reading, node, "plane")) {
         const auto read = read_axis_plane(reading, *plane);
         if (read) boundary.plane = {*read, plane->place};
     }

@@ -66,7 +66,7 @@ MaybeCurve read_spline(Reading& reading, const YamlNode& node) {
 
 /// The plane of a circle, arc or ellipse: its `normal`, or z.
 std::optional<PlaneAxes> read_plane(Reading& reading, const YamlNode& node) {
-    const YamlNode* normal = node.find("normal");
+    const YamlNode* normal = find(reading, node, "normal");
     if (normal == nullptr) return PlaneAxes{};
     const auto direction = read_point(reading, *normal, "'normal'");
     if (!direction) return std::nullopt;
@@ -94,7 +94,7 @@ MaybeCurve read_circle(Reading& reading, const YamlNode& node) {
 
 MaybeCurve read_arc_through(Reading& reading, const YamlNode& node) {
     if (!expect_mapping(reading, node, "'arc' with 'through'", {"through"})) return std::nullopt;
-    const YamlNode& through = *node.find("through");
+    const YamlNode& through = *find(reading, node, "through");
     if (!expect_list(reading, through, "'through'", 3)) return std::nullopt;
     const auto points = read_points(reading, through, "'through'");
     if (!points) return std::nullopt;
@@ -102,7 +102,7 @@ MaybeCurve read_arc_through(Reading& reading, const YamlNode& node) {
 }
 
 MaybeCurve read_arc(Reading& reading, const YamlNode& node) {
-    if (node.find("through") != nullptr) return read_arc_through(reading, node);
+    if (find(reading, node, "through") != nullptr) return read_arc_through(reading, node);
     const Keys keys{"center", "radius", "from", "to", "normal", "through"};
     if (!expect_mapping(reading, node, "'arc'", keys)) return std::nullopt;
     const auto center = read_required<Vec3>(reading, node, "center", "'arc'", read_point);
@@ -117,7 +117,7 @@ MaybeCurve read_arc(Reading& reading, const YamlNode& node) {
         const double end = turn <= limit ? *to : *from + (*to > *from ? limit : -limit);
         return arc(*center, *radius, *from, end, *axes);
     }
-    reading.diagnostics.error(node.find("to")->place,
+    reading.diagnostics.error(find(reading, node, "to")->place,
                               fmt::format("this arc turns by {} radians; it must turn, and at most "
                                           "once round",
                                           *to - *from),
@@ -136,7 +136,7 @@ MaybeCurve read_ellipse(Reading& reading, const YamlNode& node) {
         a = read_positive(reading, axes->children[0], "a half-axis");
         b = read_positive(reading, axes->children[1], "a half-axis");
     }
-    const YamlNode* turned = node.find("angle");
+    const YamlNode* turned = find(reading, node, "angle");
     const auto angle = turned == nullptr ? 0.0 : read_number(reading, *turned, "'angle'");
     const auto plane = read_plane(reading, node);
     if (!center || !a || !b || !angle || !plane) return std::nullopt;
@@ -148,19 +148,19 @@ constexpr std::array<AirfoilSide, 3> sides{AirfoilSide::upper, AirfoilSide::lowe
                                            AirfoilSide::whole};
 
 std::optional<AirfoilSide> read_side(Reading& reading, const YamlNode& entry) {
-    const YamlNode* side = entry.find("side");
+    const YamlNode* side = find(reading, entry, "side");
     if (side == nullptr) return AirfoilSide::whole;
     const auto choice = read_choice(reading, *side, "'side'", side_names);
     return choice ? std::optional(sides.at(*choice)) : std::nullopt;
 }
 
 MaybeCurve read_naca(Reading& reading, const YamlNode& entry) {
-    const YamlNode& code = *entry.find("naca");
+    const YamlNode& code = *find(reading, entry, "naca");
     const auto digits = read_text(reading, code, "'naca'");
-    const YamlNode* length = entry.find("chord");
+    const YamlNode* length = find(reading, entry, "chord");
     const auto chord = length == nullptr ? 1.0 : read_positive(reading, *length, "'chord'");
     const auto side = read_side(reading, entry);
-    const YamlNode* edge = entry.find("trailing_edge");
+    const YamlNode* edge = find(reading, entry, "trailing_edge");
     const auto blunt = edge == nullptr
                            ? std::optional<std::size_t>(0)
                            : read_choice(reading, *edge, "'trailing_edge'", {"sharp", "blunt"});
@@ -170,12 +170,12 @@ MaybeCurve read_naca(Reading& reading, const YamlNode& entry) {
 }
 
 MaybeCurve read_airfoil_curve(Reading& reading, const YamlNode& entry) {
-    const YamlNode& name = *entry.find("airfoil");
+    const YamlNode& name = *find(reading, entry, "airfoil");
     const auto file = read_data_file(reading, name, "'airfoil'");
     const auto side = read_side(reading, entry);
     const auto close = read_switch(reading, entry, "close_trailing_edge");
     const auto half = read_switch(reading, entry, "symmetric_half");
-    const YamlNode* length = entry.find("chord");
+    const YamlNode* length = find(reading, entry, "chord");
     std::optional<double> chord;
     if (length != nullptr) {
         chord = read_positive(reading, *length, "'chord'");
@@ -203,7 +203,7 @@ bool check_finite(Reading& reading, const YamlNode& node,
 }
 
 MaybeCurve read_formula_curve(Reading& reading, const YamlNode& entry) {
-    const YamlNode& node = *entry.find("formula");
+    const YamlNode& node = *find(reading, entry, "formula");
     const YamlNode* range = require(reading, entry, "range", fmt::format("curve '{}'", entry.key));
     std::optional<double> begin;
     std::optional<double> end;

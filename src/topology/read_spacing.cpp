@@ -25,7 +25,7 @@ struct Sizes {
 Sizes read_sizes(Reading& reading, const YamlNode& node) {
     Sizes sizes;
     const auto read = [&](std::string_view key, std::optional<double>& value) {
-        const YamlNode* given = node.find(key);
+        const YamlNode* given = find(reading, node, key);
         if (given == nullptr) return;
         value = read_positive(reading, *given, fmt::format("'{}'", key));
         sizes.sound = sizes.sound && value;
@@ -109,9 +109,10 @@ bool check_formula(Reading& reading, const YamlNode& node, const std::function<d
     return true;
 }
 
-std::optional<SpacingEntry> read_explicit(Reading& reading, const YamlNode& node) {
-    const bool of_parameter = node.key == "parameters";
-    const std::string what = fmt::format("'{}'", node.key);
+std::optional<SpacingEntry> read_explicit(Reading& reading, const YamlNode& node,
+                                          std::string_view key) {
+    const bool of_parameter = key == "parameters";
+    const std::string what = fmt::format("'{}'", key);
     if (node.is_sequence()) return read_value_list(reading, node, of_parameter, what);
     if (!node.is_scalar()) {
         reading.diagnostics.error(
@@ -126,13 +127,13 @@ std::optional<SpacingEntry> read_explicit(Reading& reading, const YamlNode& node
 
 /// `like`, `positions` and `parameters`: each stands alone.
 std::optional<SpacingEntry> read_alone(Reading& reading, const YamlNode& node,
-                                       const YamlNode& alone) {
+                                       const YamlNode& alone, std::string_view key) {
     for (const YamlNode& child : node.children) {
         if (&child == &alone) continue;
-        return contradiction(reading, child, fmt::format("'{}'", alone.key),
-                             fmt::format("'{}' stands alone", alone.key));
+        return contradiction(reading, child, fmt::format("'{}'", key),
+                             fmt::format("'{}' stands alone", key));
     }
-    if (alone.key != "like") return read_explicit(reading, alone);
+    if (key != "like") return read_explicit(reading, alone, key);
     SignedName edge = read_signed_name(reading, alone, "'like'");
     if (edge.value.empty()) return std::nullopt;
     return LikeLaw{std::move(edge)};
@@ -140,7 +141,7 @@ std::optional<SpacingEntry> read_alone(Reading& reading, const YamlNode& node,
 
 std::optional<SpacingEntry> read_tanh(Reading& reading, const YamlNode& node, const Sizes& sizes) {
     if (sizes.ratio) {
-        return contradiction(reading, *node.find("ratio"), "the law tanh",
+        return contradiction(reading, *find(reading, node, "ratio"), "the law tanh",
                              "a ratio belongs to the law geometric");
     }
     if (!sizes.start && !sizes.end) {
@@ -154,11 +155,11 @@ std::optional<SpacingEntry> read_geometric(Reading& reading, const YamlNode& nod
     const char* const one_of_three =
         "a geometric spacing follows from one of 'ratio', 'start' and 'end'";
     if (sizes.ratio && sizes.start)
-        return contradiction(reading, *node.find("start"), "'ratio'", one_of_three);
+        return contradiction(reading, *find(reading, node, "start"), "'ratio'", one_of_three);
     if (sizes.ratio && sizes.end)
-        return contradiction(reading, *node.find("end"), "'ratio'", one_of_three);
+        return contradiction(reading, *find(reading, node, "end"), "'ratio'", one_of_three);
     if (sizes.start && sizes.end)
-        return contradiction(reading, *node.find("end"), "'start'", one_of_three);
+        return contradiction(reading, *find(reading, node, "end"), "'start'", one_of_three);
     if (!sizes.ratio && !sizes.start && !sizes.end) {
         return needs_size(reading, node,
                           "the law geometric needs one of 'ratio', 'start' and 'end'");
@@ -168,7 +169,7 @@ std::optional<SpacingEntry> read_geometric(Reading& reading, const YamlNode& nod
 
 std::optional<SpacingEntry> read_law(Reading& reading, const YamlNode& node) {
     const Keys laws{"tanh", "geometric", "uniform"};
-    const YamlNode* named = node.find("law");
+    const YamlNode* named = find(reading, node, "law");
     const auto law = named == nullptr ? std::optional<std::size_t>(0)
                                       : read_choice(reading, *named, "'law'", laws);
     const Sizes sizes = read_sizes(reading, node);
@@ -176,7 +177,7 @@ std::optional<SpacingEntry> read_law(Reading& reading, const YamlNode& node) {
     if (*law == 0) return read_tanh(reading, node, sizes);
     if (*law == 1) return read_geometric(reading, node, sizes);
     for (const std::string_view key : {"start", "end", "ratio"}) {
-        if (const YamlNode* size = node.find(key)) {
+        if (const YamlNode* size = find(reading, node, key)) {
             return contradiction(reading, *size, "the law uniform", "its cells are all equal");
         }
     }
@@ -199,16 +200,10 @@ std::optional<SpacingEntry> read_spacing(Reading& reading, const YamlNode& node)
                    {{"heights", "'heights' are not in this version yet",
                      "give 'start', 'end', or 'positions' as fractions"}});
     for (const std::string_view key : {"like", "positions", "parameters"}) {
-        if (const YamlNode* alone = node.find(key)) return read_alone(reading, node, *alone);
+        if (const YamlNode* alone = find(reading, node, key))
+            return read_alone(reading, node, *alone, key);
     }
-    // A misspelled key was told; what is missing for its lack is not another fault.
-    const bool misspelled = std::any_of(keys.begin(), keys.end(), [&](std::string_view key) {
-        return is_misspelled(reading, node, key);
-    });
-    if (misspelled || node.find("heights") != nullptr) {
-        read_sizes(reading, node);
-        return std::nullopt;
-    }
+    if (find(reading, node, "heights") != nullptr) return std::nullopt;
     return read_law(reading, node);
 }
 

@@ -16,7 +16,7 @@ const Keys& map_keys() {
 
 /// The point `about` which a map works; the origin where it is not given.
 std::optional<Vec3> read_about(Reading& reading, const YamlNode& node) {
-    const YamlNode* about = node.find("about");
+    const YamlNode* about = find(reading, node, "about");
     return about == nullptr ? Vec3{} : read_point(reading, *about, "'about'");
 }
 
@@ -45,15 +45,15 @@ std::optional<Vec3> read_direction(Reading& reading, const YamlNode& node,
 }
 
 std::optional<Affine> read_scale(Reading& reading, const YamlNode& holder) {
-    const auto factors = read_factors(reading, *holder.find("scale"));
+    const auto factors = read_factors(reading, *find(reading, holder, "scale"));
     const auto about = read_about(reading, holder);
     if (!factors || !about) return std::nullopt;
     return scaling(*factors, *about);
 }
 
 std::optional<Affine> read_rotate(Reading& reading, const YamlNode& holder) {
-    const auto angle = read_number(reading, *holder.find("rotate"), "'rotate'");
-    const YamlNode* given = holder.find("axis");
+    const auto angle = read_number(reading, *find(reading, holder, "rotate"), "'rotate'");
+    const YamlNode* given = find(reading, holder, "axis");
     const auto axis = given == nullptr ? Vec3{0, 0, 1} : read_direction(reading, *given, "'axis'");
     const auto about = read_about(reading, holder);
     if (!angle || !axis || !about) return std::nullopt;
@@ -61,12 +61,12 @@ std::optional<Affine> read_rotate(Reading& reading, const YamlNode& holder) {
 }
 
 std::optional<Affine> read_translate(Reading& reading, const YamlNode& holder) {
-    const auto by = read_point(reading, *holder.find("translate"), "'translate'");
+    const auto by = read_point(reading, *find(reading, holder, "translate"), "'translate'");
     return by ? std::optional(translation(*by)) : std::nullopt;
 }
 
 std::optional<Affine> read_mirror(Reading& reading, const YamlNode& holder) {
-    const YamlNode& node = *holder.find("mirror");
+    const YamlNode& node = *find(reading, holder, "mirror");
     if (!expect_mapping(reading, node, "'mirror'", {"normal", "about"})) return std::nullopt;
     const YamlNode* given = require(reading, node, "normal", "'mirror'");
     if (given == nullptr) return std::nullopt;
@@ -132,7 +132,7 @@ bool check_companions(Reading& reading, const YamlNode& entry, std::string_view 
     const Keys allowed = keys_beside(map);
     bool sound = true;
     for (const std::string_view key : {"about", "axis"}) {
-        const YamlNode* node = entry.find(key);
+        const YamlNode* node = find(reading, entry, key);
         if (node == nullptr || std::find(allowed.begin(), allowed.end(), key) != allowed.end())
             continue;
         reading.diagnostics.error(
@@ -153,7 +153,7 @@ const Keys& transform_keys() {
 std::optional<std::vector<Affine>> read_transforms(Reading& reading, const YamlNode& entry,
                                                    const std::string& what) {
     const std::vector<const YamlNode*> maps = maps_in(entry);
-    const YamlNode* list = entry.find("transform");
+    const YamlNode* list = find(reading, entry, "transform");
     if (maps.size() > 1 || (list != nullptr && !maps.empty())) {
         reading.diagnostics.error(maps.back()->key_place,
                                   fmt::format("{} has several transforms without an order", what),

@@ -53,7 +53,7 @@ bool is_yaml_switch(const std::string& text) {
 void tell_unknown_key(Reading& reading, const YamlNode& mapping, const YamlNode& child,
                       const std::string& what, const Keys& keys) {
     const std::string meant = nearest_name(child.key, {keys.begin(), keys.end()});
-    if (!meant.empty()) reading.misspelled.emplace_back(&mapping, meant);
+    if (!meant.empty()) reading.misspelled.push_back({&mapping, &child, meant});
     reading.diagnostics.error(child.key_place,
                               fmt::format("unknown key '{}' in {}", shown(child.key), what),
                               suggestion(child.key, keys, "keys here are"));
@@ -113,14 +113,22 @@ bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& w
     return true;
 }
 
-bool is_misspelled(const Reading& reading, const YamlNode& mapping, std::string_view key) {
+const YamlNode* find(const Reading& reading, const YamlNode& mapping, std::string_view key) {
+    if (const YamlNode* value = mapping.find(key)) return value;
+    const auto meant = std::find_if(
+        reading.misspelled.begin(), reading.misspelled.end(),
+        [&](const MisspelledKey& m) { return m.mapping == &mapping && m.meant == key; });
+    return meant == reading.misspelled.end() ? nullptr : meant->value;
+}
+
+bool has_misspelled(const Reading& reading, const YamlNode& mapping) {
     return std::any_of(reading.misspelled.begin(), reading.misspelled.end(),
-                       [&](const auto& m) { return m.first == &mapping && m.second == key; });
+                       [&](const MisspelledKey& m) { return m.mapping == &mapping; });
 }
 
 const YamlNode* require(Reading& reading, const YamlNode& mapping, std::string_view key,
                         const std::string& what) {
-    const YamlNode* value = mapping.find(key);
+    const YamlNode* value = find(reading, mapping, key);
     if (value == nullptr) tell_lacking(reading, mapping, {key}, what);
     return value;
 }
@@ -129,7 +137,7 @@ void tell_lacking(Reading& reading, const YamlNode& mapping, const Keys& keys,
                   const std::string& what) {
     std::vector<std::string> lacking;
     for (const std::string_view key : keys) {
-        if (mapping.find(key) != nullptr || is_misspelled(reading, mapping, key)) continue;
+        if (find(reading, mapping, key) != nullptr) continue;
         lacking.push_back(fmt::format("'{}'", key));
     }
     if (lacking.empty()) return;
@@ -219,7 +227,7 @@ std::optional<std::function<double(double)>> read_formula(Reading& reading, cons
 }
 
 std::optional<bool> read_switch(Reading& reading, const YamlNode& mapping, std::string_view key) {
-    const YamlNode* node = mapping.find(key);
+    const YamlNode* node = find(reading, mapping, key);
     if (node == nullptr) return false;
     if (node->is_scalar() && node->text == "true") return true;
     if (node->is_scalar() && node->text == "false") return false;

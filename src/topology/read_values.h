@@ -20,14 +20,20 @@
 
 namespace hexweave {
 
+/// A key that was told as unknown though it is near to a legal one, which is not there: its value
+/// is then read as that of the key that was meant, so that one slip is one fault.
+struct MisspelledKey {
+    const YamlNode* mapping = nullptr;
+    const YamlNode* value = nullptr;
+    std::string meant;
+};
+
 /// What all parts of reading share.
 struct Reading {
     Diagnostics& diagnostics;
     std::shared_ptr<const SourceFile> source;
     ParameterScope parameters{};
-    /// Keys that were told as unknown though they are near to a legal one: in which mapping, and
-    /// which key was meant, so that its lack is not told as well.
-    std::vector<std::pair<const YamlNode*, std::string>> misspelled{};
+    std::vector<MisspelledKey> misspelled{};
 };
 
 /// A key that is refused with its own words rather than as unknown.
@@ -50,8 +56,10 @@ Place place_in(const YamlNode& node, std::size_t offset, std::size_t length);
 /// it false: the known ones are still to be read.
 bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& what,
                     const Keys& keys, const std::vector<RefusedKey>& refused = {});
-/// Whether a key seems to be there, misspelled.
-bool is_misspelled(const Reading& reading, const YamlNode& mapping, std::string_view key);
+/// The value of a key, after expect_mapping; null where it is not there.
+const YamlNode* find(const Reading& reading, const YamlNode& mapping, std::string_view key);
+/// Whether expect_mapping found misspelled keys there.
+bool has_misspelled(const Reading& reading, const YamlNode& mapping);
 /// The value of a key that must be there; after expect_mapping.
 const YamlNode* require(Reading& reading, const YamlNode& mapping, std::string_view key,
                         const std::string& what);

@@ -2,14 +2,12 @@
 // The faults that yaml-cpp finds, in the words of someone who writes a case.
 #pragma once
 
+#include <yaml-cpp/exceptions.h>
+
 #include <optional>
 
 #include "core/diagnostics.h"
 #include "topology/source_text.h"
-
-namespace YAML {
-class Exception;
-}
 
 namespace hexweave {
 
