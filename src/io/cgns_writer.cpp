@@ -174,7 +174,6 @@ private:
         check(cg_goto(file_, base_, "Zone_t", zone, "GridCoordinates_t", 1, "DataArray_t", number,
                       "end"));
         write_units();
-        if (grid_.units.empty()) return;
         const std::array<double, 5> length{0, 1, 0, 0, 0};
         check(cg_exponents_write(RealDouble, length.data()));
     }

@@ -120,7 +120,7 @@ TEST_CASE("At a limit of the file size the former file stays") {
     put(path, "former");
     int failures = 0;
     for (const int limit : {0, 100, 5000, 40000, 80000, 110000, 113000, 1000000}) {
-        const Outcome outcome = run(probe + " 3 5 " + path + " " + std::to_string(limit));
+        const Outcome outcome = run(fmt::format("{} 3 5 {} {}", probe, path, limit));
         INFO(limit << ": " << outcome.output);
         CHECK(scratch.names() == Names{"grid.cgns"});
         if (outcome.status == 0) break;

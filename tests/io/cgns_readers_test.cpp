@@ -11,12 +11,18 @@ using namespace hexweave;
 
 namespace {
 
+MultiblockGrid without_units(MultiblockGrid grid) {
+    grid.units.clear();
+    return grid;
+}
+
 const std::map<std::string, MultiblockGrid>& samples() {
     static const std::map<std::string, MultiblockGrid> all{
         {"planar", joined_pair(2, 2, rotations(2)[1])},
         {"surface", joined_pair(2, 3, rotations(2)[2])},
         {"volume", joined_pair(3, 3, rotations(3)[7])},
         {"cut", c_grid()},
+        {"unitless", without_units(c_grid())},
         {"row", row_of_zones(12, 4)}};
     return all;
 }
