@@ -182,37 +182,60 @@ MultiblockGrid read_grid(const std::filesystem::path& path) {
     return grid;
 }
 
-/// Reads the file in a child process and says whether that ended well. On damaged files libcgns and
-/// HDF5 run over the ends of their arrays, or call exit.
-bool libraries_survive(const std::filesystem::path& path) {
-    const pid_t child = fork();
-    if (child < 0) return true;
-    if (child == 0) {
-        for (const int signal_number :
-             {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGABRT, SIGFPE}) {
-            std::signal(signal_number, SIG_DFL);
-        }
-        const rlimit no_core{0, 0};
-        setrlimit(RLIMIT_CORE, &no_core);
-        const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-        dup2(nowhere, STDOUT_FILENO);
-        dup2(nowhere, STDERR_FILENO);
-        try {
-            read_grid(path);
-        } catch (const std::exception&) {
-            // An error that is reported is well: the parent will meet it again.
-        }
-        _exit(0);
+/// The child's part of `rehearse`: reads the file, writes the error there is to `answer`.
+[[noreturn]] void read_and_answer(const std::filesystem::path& path, int answer) {
+    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGABRT, SIGFPE}) {
+        std::signal(signal_number, SIG_DFL);
     }
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    try {
+        read_grid(path);
+    } catch (const UsageError& error) {
+        const std::string text = error.what();
+        if (write(answer, text.data(), text.size()) < 0) _exit(1);
+    } catch (const std::exception&) {
+        // The machine's failure (out of memory), not the file's: the parent will meet it as well.
+    }
+    _exit(0);
+}
+
+/// Reads the file in a child process first, and throws what it met: on damaged files libcgns and
+/// HDF5 run over the ends of their arrays, or call exit.
+void rehearse(const std::filesystem::path& path) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw MachineError("cannot make a pipe");
+    const pid_t child = fork();
+    if (child == 0) read_and_answer(path, ends[1]);
+    close(ends[1]);
+    std::string text;
+    std::array<char, 4096> part{};
+    ssize_t size = 0;
+    do {
+        size = read(ends[0], part.data(), part.size());
+        if (size > 0) text.append(part.data(), static_cast<std::size_t>(size));
+    } while (size > 0 || (size < 0 && errno == EINTR));
+    close(ends[0]);
+    if (child < 0) throw MachineError("cannot start another process");
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (!text.empty()) throw UsageError(text);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        throw UsageError(fmt::format("cannot read '{}': it is damaged", path.string()));
+    }
 }
 
 }  // namespace
 
 CgnsSource::CgnsSource(const std::filesystem::path& path) : path_(path), file_(path, CG_MODE_READ) {
-    if (!file_.is_open()) damaged();
+    if (!file_.is_open()) {
+        int type = CG_FILE_NONE;
+        if (cg_is_cgns(path_.c_str(), &type) != CG_OK) cannot_read("it is not a CGNS file");
+        damaged();
+    }
     errors_.listen();
 }
 
@@ -221,7 +244,7 @@ void CgnsSource::cannot_read(const std::string& fact) const {
 }
 
 void CgnsSource::damaged() const {
-    cannot_read(fmt::format("it is damaged or no CGNS file ({})", cg_get_error()));
+    cannot_read(fmt::format("it is damaged ({})", cg_get_error()));
 }
 
 MultiblockGrid read_cgns(const std::filesystem::path& path) {
@@ -235,12 +258,7 @@ MultiblockGrid read_cgns(const std::filesystem::path& path) {
     if (S_ISDIR(status.st_mode)) cannot_read("it is a folder");
     if (!S_ISREG(status.st_mode)) cannot_read("it is not a regular file");
     if (access(path.c_str(), R_OK) != 0) cannot_read(error_reason(errno));
-    if (!libraries_survive(path)) cannot_read("it is damaged");
-    {
-        int type = CG_FILE_NONE;
-        const Hdf5Errors quiet;
-        if (cg_is_cgns(path.c_str(), &type) != CG_OK) cannot_read("it is not a CGNS file");
-    }
+    rehearse(path);
     return read_grid(path);
 }
 
