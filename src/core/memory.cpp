@@ -37,7 +37,9 @@ std::size_t limit_in(const std::string& path) {
 std::size_t least_limit(const std::string& mount, std::string path, const std::string& name) {
     std::size_t least = limit_in(mount + "/" + name);
     while (!path.empty()) {
-        least = std::min(least, limit_in(mount + path + "/" + name));
+        std::string file = mount;
+        file.append(path).append("/").append(name);
+        least = std::min(least, limit_in(file));
         path.erase(path.rfind('/') == std::string::npos ? 0 : path.rfind('/'));
     }
     return least;

@@ -74,6 +74,7 @@ int face_between(Draft& draft, const DraftBlock& block, Side side,
     const std::string remedy = "give the block by its six faces";
     if (matching.size() > 1) {
         std::vector<std::string> names;
+        names.reserve(matching.size());
         for (const int face : matching) names.push_back(draft.face_name(face));
         std::sort(names.begin(), names.end());
         draft.diagnostics.error(

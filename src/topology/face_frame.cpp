@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/face_frame.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 namespace hexweave {
 
@@ -14,9 +16,9 @@ constexpr std::array<std::array<int, 2>, 4> corner_positions{{{0, 0}, {1, 0}, {1
 std::vector<EdgeUse> backwards(const std::vector<EdgeUse>& side) {
     std::vector<EdgeUse> result;
     result.reserve(side.size());
-    for (auto use = side.rbegin(); use != side.rend(); ++use) {
-        result.push_back({use->edge, !use->reversed});
-    }
+    std::transform(side.rbegin(), side.rend(), std::back_inserter(result), [](const EdgeUse& use) {
+        return EdgeUse{use.edge, !use.reversed};
+    });
     return result;
 }
 

@@ -25,8 +25,8 @@ std::array<int, 4> corners_in_frame(const std::array<int, 4>& corners,
 
 /// Corner (i, j, k), each 0 or 1, in the order of the CGNS hexahedron.
 constexpr std::size_t hexahedron_corner(int i, int j, int k) {
-    const int in_layer = j == 0 ? i : 3 - i;
-    return static_cast<std::size_t>(4 * k + in_layer);
+    const int corner = 4 * k + (j == 0 ? i : 3 - i);
+    return static_cast<std::size_t>(corner);
 }
 /// The hexahedron's corners at (min, min), (max, min), (max, max), (min, max) of a side's own axes.
 std::array<std::size_t, 4> corners_of_side(Side side);

@@ -71,6 +71,7 @@ double outward_sign(Side side) {
 
 std::string edges_text(const Topology& topology, const std::vector<EdgeUse>& side) {
     std::vector<std::string> names;
+    names.reserve(side.size());
     for (const EdgeUse& use : side) {
         names.push_back(topology.edges[static_cast<std::size_t>(use.edge)].name);
     }

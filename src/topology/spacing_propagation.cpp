@@ -25,7 +25,9 @@ struct Oriented {
     int edge = 0;
     bool reversed = false;
 
-    friend auto operator<=>(const Oriented&, const Oriented&) = default;
+    friend bool operator<(const Oriented& a, const Oriented& b) {
+        return std::pair(a.edge, a.reversed) < std::pair(b.edge, b.reversed);
+    }
 };
 
 struct Laws {

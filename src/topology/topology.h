@@ -36,7 +36,8 @@ struct Vertex {
     Place place;
 };
 
-/// The normalized arc-length distribution of another edge of as many cells.
+/// The normalized arc-length distribution of another edge of as many cells, whose own law is not a
+/// SameAs: one step leads to the law.
 struct SameAs {
     int edge = 0;
     bool reversed = false;

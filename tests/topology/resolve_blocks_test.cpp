@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolving: what is said of blocks that do not close.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -503,17 +505,18 @@ TEST_CASE("Two blocks by corners meet in every orientation") {
             corners += corners.empty() ? "" : ", ";
             corners += right_cube[n];
         }
-        const std::string text = two_cubes + R"(
+        const std::string text = two_cubes + fmt::format(R"(
 blocks:
-  left:  {corners: [a, b, c, d, e, f, g, h]}
-  right: {corners: [)" + corners +
-                                 "]}\n";
+  left:  {{corners: [a, b, c, d, e, f, g, h]}}
+  right: {{corners: [{}]}}
+)",
+                                                         corners);
         INFO(corners);
         const Topology t = resolved(text);
         CHECK(broken_promise(t) == "");
         CHECK(t.faces.size() == 11);
         CHECK(t.edges.size() == 20);
-        CHECK(t.cells() == (4 + 3) * 5 * 6);
+        CHECK(t.cells() == (4UL + 3) * 5 * 6);
         CHECK(t.boundaries[0].sides.size() == 10);
         CHECK(law_text(t, named(t.edges, "k-o")) == "same as -fb");
     }
@@ -537,14 +540,14 @@ faces:
             std::string corners;
             for (const std::size_t n : corners_of_side(side)) corners += right_cube[rotation[n]];
             std::sort(corners.begin(), corners.end());
-            const auto face = std::find(corners_of.begin(), corners_of.end(), corners);
+            const auto* const face = std::find(corners_of.begin(), corners_of.end(), corners);
             REQUIRE(face != corners_of.end());
             if (!sides.empty()) sides += ", ";
-            sides +=
-                std::string(side_name(side)) + ": f" + std::to_string(face - corners_of.begin());
+            sides += fmt::format("{}: f{}", side_name(side), face - corners_of.begin());
         }
         INFO(sides);
-        const Topology t = resolved(two_cubes + faces + "blocks:\n  right: {" + sides + "}\n");
+        const Topology t =
+            resolved(two_cubes + faces + fmt::format("blocks:\n  right: {{{}}}\n", sides));
         CHECK(broken_promise(t) == "");
         std::string corners;
         for (const std::size_t n : rotation) {

@@ -60,8 +60,8 @@ std::string broken_block(const Topology& t, const Block& b) {
                 corner[static_cast<std::size_t>(axis_of(side))] = is_max(side) ? 1 : 0;
                 corner[static_cast<std::size_t>(axes[0])] = u;
                 corner[static_cast<std::size_t>(axes[1])] = v;
-                const int in_layer = corner[1] == 0 ? corner[0] : 3 - corner[0];
-                const int vertex = b.corners[static_cast<std::size_t>(4 * corner[2] + in_layer)];
+                const int position = 4 * corner[2] + (corner[1] == 0 ? corner[0] : 3 - corner[0]);
+                const int vertex = b.corners[static_cast<std::size_t>(position)];
                 const Node node{u * (own.ni - 1), v * (own.nj - 1), 0};
                 const Node on_face = map_node(use.orientation, node, face.extent());
                 if (vertex_at(face, on_face) != vertex) return "corner of a side";

@@ -56,7 +56,7 @@ faces:
 boundaries:
   all: {type: BCWall, sides: [ab, ad, b-c, c-d]}
 )";
-    const auto with = [&](std::string height, std::string hand) {
+    const auto with = [&](const std::string& height, const std::string& hand) {
         std::string result = text;
         result.replace(result.find("HEIGHT"), 6, height);
         result.replace(result.find("HAND"), 4, hand);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolving: what is said of spacing laws.
+#include <fmt/format.h>
+
 #include <array>
 #include <catch2/catch.hpp>
 
@@ -196,14 +198,11 @@ Topology row(const std::array<std::string, 5>& entries) {
     std::string edges = "edges:\n  b: {from: a0, to: a1, cells: 4}\n";
     std::string faces = "faces:\n";
     for (std::size_t n = 0; n < 5; ++n) {
-        const std::string i = std::to_string(n);
-        vertices += "a" + i + ": [" + i + ", 0], b" + i + ": [" + i + ", 1], ";
-        edges += "  v" + i + ": {" + entries[n] + "}\n";
+        vertices += fmt::format("a{0}: [{0}, 0], b{0}: [{0}, 1], ", n);
+        edges += fmt::format("  v{}: {{{}}}\n", n, entries[n]);
         if (n == 4) continue;
-        const std::string next = std::to_string(n + 1);
-        if (n > 0) edges += "  b" + i + ": {from: a" + i + ", to: a" + next + ", cells: 4}\n";
-        faces +=
-            "  f" + i + ": {corners: [a" + i + ", a" + next + ", b" + next + ", b" + i + "]}\n";
+        if (n > 0) edges += fmt::format("  b{0}: {{from: a{0}, to: a{1}, cells: 4}}\n", n, n + 1);
+        faces += fmt::format("  f{0}: {{corners: [a{0}, a{1}, b{1}, b{0}]}}\n", n, n + 1);
     }
     return resolved(vertices + "}\n" + edges + faces);
 }

@@ -94,7 +94,7 @@ TEST_CASE("An O-grid of two faces resolves without a word") {
     CHECK(broken_promise(t) == "");
     CHECK(t.planar);
     CHECK(t.size == Approx(40));
-    CHECK(t.cells() == 2 * 96 * 64);
+    CHECK(t.cells() == 2UL * 96 * 64);
     const Face& above = named(t.faces, "above");
     CHECK(side_text(t, above.side(Side::imin)) == "nose");
     CHECK(side_text(t, above.side(Side::jmax)) == "out_up");
@@ -132,7 +132,7 @@ boundaries:
     CHECK(corner_text(t, t.faces[0].corners) == "a a b b");
     CHECK(side_text(t, t.faces[0].side(Side::jmin)) == "-in");
     CHECK(named(t.edges, "in").length == Approx(2 * pi).epsilon(1e-12));
-    CHECK(t.cells() == 16 * 8);
+    CHECK(t.cells() == 16UL * 8);
 }
 
 TEST_CASE("A C-grid of four faces shares the wake, a C-grid of one face composes its side") {
@@ -170,7 +170,7 @@ boundaries:
     CHECK(side_text(t, named(t.faces, "wake_below").side(Side::jmin)) == "-wake");
     CHECK(named(t.edges, "ml-te").made);
     CHECK(named(t.edges, "ml-te").cells == 10);
-    CHECK(t.cells() == 10 * (16 + 12 + 8 + 8));
+    CHECK(t.cells() == 10UL * (16 + 12 + 8 + 8));
 
     const std::string one = shapes + R"(
 edges:
@@ -205,7 +205,7 @@ TEST_CASE("A pipe of five blocks by corners makes the edges and faces that are n
     CHECK(t.vertices.size() == 16);
     CHECK(t.edges.size() == 2 * (4 + 4 + 4) + 8);
     CHECK(t.faces.size() == 2 * 5 + 3 * 4);
-    CHECK(t.cells() == 12 * (8 * 9 + 2 * 5 * (8 + 9)));
+    CHECK(t.cells() == 12UL * (8 * 9 + 2 * 5 * (8 + 9)));
     const Edge& spoke = named(t.edges, "c1-r1");
     CHECK(spoke.made);
     CHECK(vertex_name(t, spoke.start) == "c1");
