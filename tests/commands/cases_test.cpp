@@ -218,3 +218,18 @@ TEST_CASE("the grid does not depend on the start grid, folded or not") {
         CHECK(greatest_difference(a.zones[z].points, b.zones[z].points) < 1e-6);
     }
 }
+
+TEST_CASE("the case on the README's first pages runs and is sound") {
+    const std::string readme = slurp(HEXWEAVE_SOURCE_DIR "/README.md");
+    const std::size_t begin = readme.find("```yaml\n") + 8;
+    const Scratch scratch;
+    scratch.write("hump.yaml", readme.substr(begin, readme.find("```", begin) - begin));
+    const Finished run = scratch.hexweave("run --strict hump.yaml --set count=64 -o fine.cgns");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    CHECK(scratch.has("fine.cgns"));
+    const Finished plot = scratch.hexweave("plot fine.cgns -o hump.png");
+    INFO(plot.err);
+    CHECK(plot.exit_code == 0);
+    CHECK(scratch.read("hump.png").substr(1, 3) == "PNG");
+}

@@ -103,6 +103,43 @@ TEST_CASE("the command line is checked") {
     CHECK(contains(scratch.hexweave("--version").out, "hexweave 0."));
 }
 
+TEST_CASE("plot says what it cannot draw") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    scratch.write("text.cgns", "this is no grid");
+    REQUIRE(scratch.hexweave("run --quiet tiny.yaml").exit_code == 0);
+    const auto refused = [&scratch](const std::string& arguments, const std::string& message) {
+        const Finished plot = scratch.hexweave("plot " + arguments);
+        INFO(arguments << ": " << plot.err);
+        CHECK(plot.exit_code == 2);
+        CHECK(contains(plot.err, message));
+    };
+    refused("missing.cgns -o a.png", "missing.cgns");
+    refused("text.cgns -o a.png", "text.cgns");
+    refused("tiny.cgns -o a.gif", ".svg");
+    refused("tiny.cgns -o a.png --family rin", "'rim'");
+    refused("tiny.cgns -o a.png --plane nowhere:k=1", "nowhere");
+    refused("tiny.cgns", "--output");
+    CHECK(scratch.hexweave("plot tiny.cgns -o none/a.png").exit_code == 3);
+    CHECK(scratch.listing() == "text.cgns tiny.cgns tiny.yaml");
+    CHECK(scratch.hexweave("plot tiny.cgns -o a.svg --color family").exit_code == 0);
+    CHECK(contains(scratch.read("a.svg"), "<svg"));
+}
+
+TEST_CASE("a grid larger than the memory is told before anything is made") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    std::string text = tiny;
+    text.replace(text.find("cells: 4"), 8, "cells: 40000");
+    text.replace(text.find("cells: 3"), 8, "cells: 50000");
+    scratch.write("huge.yaml", text);
+    const Finished run = scratch.hexweave("run huge.yaml");
+    INFO(run.err);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(run.err, "GB"));
+    CHECK(!scratch.has("huge.cgns"));
+}
+
 TEST_CASE("with --strict a warning is an error") {
     const Scratch scratch;
     scratch.write("open.yaml", tiny.substr(0, tiny.find("boundaries")));
