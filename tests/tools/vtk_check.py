@@ -6,7 +6,8 @@
     vtk_check.py FILE --zones A=5x5x5 B=5x9x5 --families wall far
                                                             and compare: exit 0 same, 1 different
 
-Patches are looked for in three-dimensional grids only: VTK does not load those of 2D ones.
+Families are those that the reader lists for the base; every patch that it loads must belong to one of
+them.
 Exit 77: VTK is not installed (Debian: python3-vtk9); any other: VTK could not read the file.
 """
 import argparse
@@ -42,10 +43,12 @@ def read(path):
     reader.SetLoadBndPatch(True)
     reader.EnableAllBases()
     reader.Update()
+    selection = reader.GetFamilySelection()
+    families = {selection.GetArrayName(i) for i in range(selection.GetNumberOfArrays())}
     if failures:
         print(f"VTK reports {failures[0]} for {path}")
         sys.exit(2)
-    return reader.GetOutput()
+    return reader.GetOutput(), families
 
 
 def list_contents(output):
@@ -73,9 +76,12 @@ def main():
     parser.add_argument("--zones", nargs="*", help="expected: NAME=NIxNJxNK")
     parser.add_argument("--families", nargs="*", help="expected names")
     arguments = parser.parse_args()
-    zones, patches = list_contents(read(arguments.file))
+    output, families = read(arguments.file)
+    zones, patches = list_contents(output)
     for zone, extent in sorted(zones.items()):
         print(f"zone {zone} {extent}")
+    for family in sorted(families):
+        print(f"family {family}")
     for (zone, patch), (family, extent) in sorted(patches.items()):
         print(f"patch {zone}/{patch} {family} {extent}")
     wrong = False
@@ -85,9 +91,10 @@ def main():
             print(f"expected zones {sorted(expected.items())}")
             wrong = True
     if arguments.families is not None:
-        found = {family for family, _ in patches.values()}
-        if found != set(arguments.families):
-            print(f"expected families {sorted(arguments.families)}, found {sorted(found)}")
+        loaded = {family for family, _ in patches.values()}
+        if families != set(arguments.families) or not loaded <= families:
+            print(f"expected families {sorted(arguments.families)}, found {sorted(families)}, "
+                  f"on patches {sorted(loaded)}")
             wrong = True
     return 1 if wrong or not zones else 0
 
