@@ -10,10 +10,10 @@
 namespace hexweave {
 
 /// Writes the grid with libcgns, then rewrites the file's tree through HDF5 without time stamps and
-/// stray bytes, so that equal grids are equal files. `path` is written in place: stage it with
-/// OutputFiles first, and give the final path as `shown`, for messages. Throws MachineError (disk
-/// full, no permission, a zone too large for the 32-bit sizes of libcgns) and UsageError (a zone
-/// and a family of one name, which CGNS keeps in one list).
+/// stray bytes, so that equal grids are equal files. `path` is written in place: call it through
+/// OutputFiles::write. Throws MachineError (disk full, no permission, a zone too large for the
+/// 32-bit sizes of libcgns) and UsageError (a zone and a family of one name, which CGNS keeps in
+/// one list).
 ///
 /// Layout: one base "Base"; title and provenance in the descriptors "Title" and "Provenance"; units
 /// on the base and on each coordinate; CoordinateX, Y (and Z in three physical dimensions) as
@@ -21,8 +21,7 @@ namespace hexweave {
 /// "UserDefined:NAME" one UserDefinedData_t child (named after the family, or NAME); per patch a
 /// BC_t with PointRange, Vertex, FamilySpecified and FamilyName; per interface a
 /// GridConnectivity1to1_t on both sides. Zones carry no FamilyName.
-void write_cgns(const MultiblockGrid& grid, const std::filesystem::path& path,
-                const std::filesystem::path& shown = {});
+void write_cgns(const MultiblockGrid& grid, const std::filesystem::path& path);
 
 /// Reads any structured CGNS file (HDF5 or ADF): zones in the order of libcgns (by name),
 /// coordinates as doubles, families, boundary conditions (literal types become families of the same

@@ -239,14 +239,12 @@ void check_sizes(const MultiblockGrid& grid, const std::filesystem::path& shown)
 
 }  // namespace
 
-void write_cgns(const MultiblockGrid& grid, const std::filesystem::path& path,
-                const std::filesystem::path& shown) {
-    const std::filesystem::path& known_as = shown.empty() ? path : shown;
+void write_cgns(const MultiblockGrid& grid, const std::filesystem::path& path) {
     check_names(grid);
-    check_sizes(grid, known_as);
-    const TemporaryFile tree(path, known_as);
-    Writer(grid, tree.path(), known_as).write();
-    rewrite_cgns_tree(tree.path(), path, known_as);
+    check_sizes(grid, path);
+    const TemporaryFile tree(path, path);
+    Writer(grid, tree.path(), path).write();
+    rewrite_cgns_tree(tree.path(), path, path);
 }
 
 }  // namespace hexweave

@@ -28,9 +28,11 @@ struct ShippedCase {
 
 const std::vector<ShippedCase> shipped_cases{
     {"naca0012", "", 4, 8192,
-     "--zones front_up=33x65x1 rear_up=33x65x1 rear_low=33x65x1 front_low=33x65x1 --families airfoil farfield"},
+     "--zones front_up=33x65x1 rear_up=33x65x1 rear_low=33x65x1 front_low=33x65x1 --families "
+     "airfoil farfield"},
     {"rae2822", "", 4, 24576,
-     "--zones upper=81x97x1 lower=81x97x1 wake_up=49x97x1 wake_low=49x97x1 --families airfoil farfield outflow"},
+     "--zones upper=81x97x1 lower=81x97x1 wake_up=49x97x1 wake_low=49x97x1 --families airfoil "
+     "farfield outflow"},
     {"obstacle", "", 1, 24000, "--zones ring=401x61x1 --families body farfield"},
     {"scherk", "", 1, 1600, "--zones surface=41x41x1 --families rim"},
     {"pipe", "--set across=8 --set radial=12 --set along=10", 5, 4480,

@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
         }
         const std::filesystem::path path = argv[3];
         OutputFiles files;
-        write_cgns(grid, files.stage(path), path);
+        files.write(files.stage(path), [&grid](const auto& staged) { write_cgns(grid, staged); });
         files.commit();
         return static_cast<int>(ExitCode::done);
     } catch (const MachineError& error) {
