@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -68,11 +70,18 @@ ShownCharacter shown(std::string_view bytes, const CodePoint& c) {
     return {std::string(bytes.substr(0, c.bytes)), width_of(c.value)};
 }
 
-std::vector<ShownCharacter> characters(std::string_view line) {
+int count_characters(std::string_view line) {
+    int count = 0;
+    for (; !line.empty(); ++count) line.remove_prefix(decode(line).bytes);
+    return count;
+}
+
+/// Characters `begin` to `end` of a line, from 0.
+std::vector<ShownCharacter> characters(std::string_view line, int begin, int end) {
     std::vector<ShownCharacter> result;
-    while (!line.empty()) {
+    for (int n = 0; n < end; ++n) {
         const CodePoint c = decode(line);
-        result.push_back(shown(line, c));
+        if (n >= begin) result.push_back(shown(line, c));
         line.remove_prefix(c.bytes);
     }
     return result;
@@ -91,30 +100,30 @@ std::string_view line_of(std::string_view text, int number) {
     return text;
 }
 
-/// Cuts a long line down to a window round the caret, so that a message stays a few lines.
-void cut_to_window(std::vector<ShownCharacter>& line, int& column) {
+/// The characters of a line that are shown: of a long one only a window round the caret, so that a
+/// message stays a few lines. `column` is moved with them.
+std::vector<ShownCharacter> shown_part(std::string_view line, int& column) {
     constexpr int window = 120;
     constexpr int before = 60;
     const ShownCharacter dots{"...", 3};
-    if (static_cast<int>(line.size()) <= window + before) return;
-    const int begin = std::clamp(column - before, 0, static_cast<int>(line.size()) - window);
-    if (begin + window < static_cast<int>(line.size())) {
-        line.erase(line.begin() + begin + window, line.end());
-        line.push_back(dots);
-    }
+    const int size = count_characters(line);
+    if (size <= window + before) return characters(line, 0, size);
+    const int begin = std::clamp(column - before, 0, size - window);
+    std::vector<ShownCharacter> part = characters(line, begin, begin + window);
+    if (begin + window < size) part.push_back(dots);
     if (begin > 0) {
-        line.erase(line.begin(), line.begin() + begin);
-        line.insert(line.begin(), dots);
+        part.insert(part.begin(), dots);
         column -= begin - 1;
     }
+    return part;
 }
 
 /// The source line and, where the column is known, the caret line under it.
 std::string excerpt(const Place& place) {
     if (!place.file || place.line < 1) return {};
-    std::vector<ShownCharacter> line = characters(line_of(place.file->text, place.line));
     int column = place.column;
-    cut_to_window(line, column);
+    const std::vector<ShownCharacter> line =
+        shown_part(line_of(place.file->text, place.line), column);
 
     std::string text;
     for (const ShownCharacter& c : line) text += c.text;
@@ -186,33 +195,25 @@ Diagnostic& Diagnostics::warning(Place place, std::string message, std::string h
 }
 
 void Diagnostics::sort() {
-    std::vector<std::string> files;  // in the order in which they first appear
-    const auto rank = [&files](const Diagnostic& d) {
-        const std::string& name = d.place.file ? d.place.file->name : std::string();
-        const auto found = std::find(files.begin(), files.end(), name);
-        if (found == files.end()) files.push_back(name);
-        return found - files.begin();
-    };
-    for (const Diagnostic& d : all_) rank(d);
-    const auto key = [&rank](const Diagnostic& d) {
-        return std::tuple(rank(d), d.place.line, d.place.column);
-    };
-    const auto before = [&key](const Diagnostic& a, const Diagnostic& b) {
-        return key(a) < key(b);
-    };
-    std::stable_sort(all_.begin(), all_.end(), before);
-
-    std::vector<Diagnostic> kept;
+    using Key = std::tuple<std::size_t, int, int>;  // file in order of appearance, line, column
+    std::map<std::string, std::size_t> files;
+    std::vector<std::pair<Key, Diagnostic>> keyed;
     for (Diagnostic& d : all_) {
-        const auto same = [&](const Diagnostic& k) {
-            return key(k) == key(d) && k.severity == d.severity && k.message == d.message;
-        };
-        if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(std::move(d));
+        const std::string name = d.place.file ? d.place.file->name : std::string();
+        const std::size_t file = files.emplace(name, files.size()).first->second;
+        keyed.emplace_back(Key(file, d.place.line, d.place.column), std::move(d));
     }
-    all_ = std::move(kept);
-    errors_ = static_cast<int>(std::count_if(all_.begin(), all_.end(), [](const Diagnostic& d) {
-        return d.severity == Severity::error;
-    }));
+    std::stable_sort(keyed.begin(), keyed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+
+    all_.clear();
+    errors_ = 0;
+    std::set<std::tuple<Key, Severity, std::string>> told;
+    for (auto& [key, d] : keyed) {
+        if (!told.emplace(key, d.severity, d.message).second) continue;
+        if (d.severity == Severity::error) ++errors_;
+        all_.push_back(std::move(d));
+    }
 }
 
 std::string render(const Diagnostic& diagnostic) {

@@ -318,7 +318,8 @@ std::optional<YamlNode> read_yaml(const std::shared_ptr<const SourceFile>& sourc
     const SourcePlaces places(source);
     if (!check_text(places, diagnostics)) return std::nullopt;
 
-    std::istringstream stream{std::string(places.text())};
+    // With a line end behind it, an open quote is not yaml-cpp's fault but ours, and well placed.
+    std::istringstream stream{std::string(places.text()) + "\n"};
     YAML::Parser parser(stream);
     TreeBuilder builder(places, diagnostics);
     bool found = false;
