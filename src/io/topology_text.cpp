@@ -3,6 +3,9 @@
 
 #include <fmt/core.h>
 
+#include "core/parallel.h"
+#include "topology/limits.h"
+
 namespace hexweave {
 namespace {
 
@@ -35,6 +38,9 @@ std::string to_text(const Topology& topology) {
     }
     text += "boundaries:\n";
     for (const Boundary& b : topology.boundaries) text += boundary_line(topology, b);
+    text += fmt::format("memory: about {:.2g} GB on {} {}\n",
+                        estimated_bytes(topology, threads()) / 1e9, threads(),
+                        threads() == 1 ? "thread" : "threads");
     return text;
 }
 

@@ -107,10 +107,9 @@ bool check_zone_sizes(const Topology& topology, Diagnostics& diagnostics) {
 double estimated_bytes(const Topology& topology, int threads) {
     // Three coordinates of 8 bytes, once in the grid and once in what is written and measured.
     constexpr double held = 24 * 2;
-    // What the solver holds for a zone in flight: about thirty doubles a node, which are points,
-    // residuals, corrections and control functions (nine for a face, eighteen recomputed for a
-    // block), with coarser grids adding a seventh (a third for faces).
-    constexpr double workspace = 250;
+    // What the solver holds for a zone in flight: points, parameters, stencils, incomplete factors,
+    // Krylov vectors and the history of the acceleration. Measured: 520 to 700 bytes a node.
+    constexpr double workspace = 700;
     std::vector<double> nodes;
     double all = 0;
     for (const ZoneSize& zone : zones_of(topology)) {

@@ -12,7 +12,8 @@ namespace hexweave {
 
 namespace {
 
-constexpr double largest_count = 1 << 30;
+// No grid has an edge of more cells; a slip of some powers of ten is told before it is tried.
+constexpr double largest_count = 10'000'000;
 
 std::optional<double> tell_fault(Reading& reading, const YamlNode& node,
                                  const ExpressionFault& fault) {

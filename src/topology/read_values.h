@@ -74,7 +74,7 @@ bool expect_list(Reading& reading, const YamlNode& node, const std::string& what
 std::optional<double> read_number(Reading& reading, const YamlNode& node, const std::string& what);
 std::optional<double> read_positive(Reading& reading, const YamlNode& node,
                                     const std::string& what);
-/// A whole number between 1 and 2^30.
+/// A whole number between 1 and ten million.
 std::optional<int> read_count(Reading& reading, const YamlNode& node, const std::string& what);
 /// Two or three numbers.
 std::optional<Vec3> read_point(Reading& reading, const YamlNode& node, const std::string& what);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolving: what is said of cell counts.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <string>
 
 #include "topology/resolve_helpers.h"
 
@@ -208,21 +211,26 @@ boundaries:
 }
 
 TEST_CASE("A count that no zone can hold is refused") {
-    const std::string text = R"(
-vertices: {a: [0, 0], m: [1, 0], b: [2, 0], c: [2, 1], d: [0, 1]}
-edges:
-  am: {from: a, to: m, cells: 1073741824}
-  mb: {from: m, to: b, cells: 1073741824}
-  bc: {from: b, to: c, cells: 3}
-  dc: {from: d, to: c}
-  da: {from: d, to: a}
-faces:
-  f: {imin: da, imax: bc, jmin: [am, mb], jmax: dc}
-boundaries:
-  all: {type: BCWall, sides: [am, mb, bc, dc, da]}
-)";
+    // One edge has at most ten million cells; a side of many edges can have more than 2^31.
+    constexpr int parts = 215;
+    std::string vertices;
+    std::string edges;
+    std::string side;
+    for (int i = 0; i < parts; ++i) {
+        vertices += fmt::format("v{}: [{}, 0], ", i, i);
+        edges += fmt::format("  p{}: {{from: v{}, to: v{}, cells: 10000000}}\n", i, i, i + 1);
+        side += fmt::format("{}p{}", i == 0 ? "" : ", ", i);
+    }
+    const std::string text =
+        "\nvertices: {" + vertices +
+        fmt::format("v{}: [{}, 0], c: [{}, 1], d: [0, 1]}}\n", parts, parts, parts) + "edges:\n" +
+        edges + fmt::format("  bc: {{from: v{}, to: c, cells: 3}}\n", parts) +
+        "  dc: {from: d, to: c}\n  da: {from: d, to: v0}\nfaces:\n  f: {imin: da, imax: bc, jmin: "
+        "[" +
+        side + "], jmax: dc}\nboundaries:\n  all: {type: BCWall, sides: [" + side +
+        ", bc, dc, da]}\n";
     CHECK(faults(text) ==
-          R"(7: error: edge 'dc' has 2147483648 cells: more than a CGNS zone can hold
-10: error: face 'f' has 2147483648 cells: more than a CGNS zone can hold
+          R"(220: error: edge 'dc' has 2150000000 cells: more than a CGNS zone can hold
+223: error: face 'f' has 2150000000 cells: more than a CGNS zone can hold
 )");
 }
