@@ -157,7 +157,7 @@ TEST_CASE("with --strict a warning is an error") {
     CHECK(!scratch.has("open.cgns"));
 }
 
-TEST_CASE("--json tells the outcome whatever it was") {
+TEST_CASE("the JSON tells the outcome whatever it was") {
     const Scratch scratch;
     scratch.write("tiny.yaml", tiny);
     scratch.write("bad.yaml", "hexweave: 1\nvertices: {a: [0, 0, q]}\n");
