@@ -3,6 +3,7 @@
 // the file that came out, not on what the program says of it.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -109,6 +110,63 @@ TEST_CASE("every shipped case gives a sound grid that other programs read") {
                               c.name + ".cgns " + c.expected_of_vtk);
             INFO(vtk.out << vtk.err);
             CHECK(vtk.exit_code == 0);
+        }
+    }
+}
+
+namespace {
+
+/// Calls look(point) for every node of every patch of a family.
+void for_each_node(const MultiblockGrid& grid, const std::string& family,
+                   const std::function<void(const Vec3&)>& look) {
+    for (const BoundaryPatch& patch : grid.patches) {
+        if (grid.families[static_cast<std::size_t>(patch.family)].name != family) continue;
+        const PointField& x = grid.zones[static_cast<std::size_t>(patch.zone)].points;
+        for (int k = patch.box.begin[2]; k <= patch.box.end[2]; ++k)
+            for (int j = patch.box.begin[1]; j <= patch.box.end[1]; ++j)
+                for (int i = patch.box.begin[0]; i <= patch.box.end[0]; ++i) look(x(i, j, k));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the transfinite wall of the conical pipe lies on the cone") {
+    const Scratch scratch;
+    REQUIRE(scratch
+                .hexweave("run --quiet " + shipped("pipe.yaml") +
+                          " --set across=8 --set radial=8 --set along=10 -o pipe.cgns")
+                .exit_code == 0);
+    std::size_t nodes = 0;
+    double worst = 0;
+    for_each_node(read_cgns(scratch.path() / "pipe.cgns"), "wall", [&](const Vec3& p) {
+        ++nodes;
+        worst = std::max(worst, std::abs(std::hypot(p.x, p.y) - (0.5 - 0.1 * p.z)));
+    });
+    CHECK(nodes == 4 * 9 * 11);
+    CHECK(worst < 1e-14);
+}
+
+TEST_CASE("the side planes of the swept wing are exact and its sections alike") {
+    const Scratch scratch;
+    REQUIRE(scratch
+                .hexweave("run --quiet " + shipped("swept_wing.yaml") +
+                          " --set span_cells=4 --set wall_cells=16 --set wake_cells=8 "
+                          "--set normal=16 -o wing.cgns")
+                .exit_code == 0);
+    const MultiblockGrid grid = read_cgns(scratch.path() / "wing.cgns");
+    for_each_node(grid, "root", [](const Vec3& p) { CHECK(p.y == 0); });
+    for_each_node(grid, "tip", [](const Vec3& p) { CHECK(p.y == 2); });
+    // Every section of the upper side is the root's, moved along the sweep.
+    for (const Zone& zone : grid.zones) {
+        if (zone.name != "upper") continue;
+        const Extent e = zone.points.extent();
+        for (int k = 0; k < e.nk; ++k) {
+            for (int i = 0; i < e.ni; ++i) {
+                const Vec3 root = zone.points(i, 0, e.nk - 1);
+                const Vec3 p = zone.points(i, 0, k);
+                CHECK(p.x - p.y * std::tan(std::acos(-1.0) / 6) == Approx(root.x).margin(1e-13));
+                CHECK(p.z == Approx(root.z).margin(1e-13));
+            }
         }
     }
 }
