@@ -84,14 +84,17 @@ ExitCode guarded(const std::function<ExitCode(Outcome&)>& body, Outcome& outcome
 void add_case_options(CLI::App& command, CaseOptions& options) {
     command.add_option("CONFIG", options.config, "the YAML file; - reads standard input")
         ->required();
-    command.add_option("--set", options.set, "NAME=EXPR: give a parameter another value")
-        ->allow_extra_args(false);
-    command.add_option("--json", options.json,
-                       "write the outcome as JSON to this file; - prints it");
+    command.add_option("--set", options.set, "give a parameter another value; may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("NAME=EXPR");
+    command
+        .add_option("--json", options.json, "write the outcome as JSON to this file; - prints it")
+        ->type_name("FILE");
     command
         .add_option("-j,--threads", options.threads,
                     "threads (default: OMP_NUM_THREADS, else all that this process may use)")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
     command.add_flag("--strict", options.strict, "treat warnings as errors");
     CLI::Option* verbose =
         command.add_flag("--verbose", options.verbose, "print every solver step");

@@ -126,45 +126,45 @@ ExitCode plot(const PlotArguments& arguments) {
 }
 
 void add_plot(CLI::App& app, std::function<ExitCode()>& chosen) {
-    CLI::App* command = app.add_subcommand("plot", "Draw a picture of a grid");
+    CLI::App* command = app.add_subcommand("plot", "draw a picture of a grid");
     const auto arguments = std::make_shared<PlotArguments>();
-    command->add_option("GRID", arguments->grid, "The grid: a structured CGNS file")->required();
+    command->add_option("GRID", arguments->grid, "the grid: a structured CGNS file")->required();
     command
         ->add_option("-o,--output", arguments->output,
-                     "The picture: a name that ends in .png or .svg")
+                     "the picture: a name that ends in .png or .svg")
         ->required();
-    command->add_option("--size", arguments->size, "Width and height in pixels")
+    command->add_option("--size", arguments->size, "width and height in pixels")
         ->type_name("WxH")
         ->capture_default_str();
     command
         ->add_option("--window", arguments->window,
-                     "Show this part of the view's plane only; the line printed at the end has "
+                     "show this part of the view's plane only; the line printed at the end has "
                      "the form")
         ->expected(4)
         ->type_name("XMIN YMIN XMAX YMAX");
     command
         ->add_option("--view", arguments->view,
-                     "From where to look: top (from +z), front (from -y), side (from +x), iso, or "
+                     "from where to look: top (from +z), front (from -y), side (from +x), iso, or "
                      "a direction X,Y,Z")
         ->type_name("VIEW");
-    command->add_option("--up", arguments->up, "The direction that points up in the picture")
+    command->add_option("--up", arguments->up, "the direction that points up in the picture")
         ->type_name("X,Y,Z");
     command
         ->add_option("--plane", arguments->planes,
-                     "Draw an index plane, nodes counted from 1: wing:k=3, or '*:k=3' for every "
+                     "draw an index plane, nodes counted from 1: wing:k=3, or '*:k=3' for every "
                      "zone; may be repeated")
         ->allow_extra_args(false)
         ->type_name("ZONE:AXIS=N");
-    command->add_option("--color,--colour", arguments->colour, "What the colours tell apart")
+    command->add_option("--color,--colour", arguments->colour, "what the colours tell apart")
         ->check(CLI::IsMember({"zone", "family"}))
         ->capture_default_str();
     command
         ->add_option("--family", arguments->families,
-                     "Draw only the boundaries of this family; may be repeated")
+                     "draw only the boundaries of this family; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
-    command->add_flag("--no-boundary", arguments->no_boundary, "Draw no boundaries");
-    command->add_option("--title", arguments->title, "A line of text above the picture");
+    command->add_flag("--no-boundary", arguments->no_boundary, "draw no boundaries");
+    command->add_option("--title", arguments->title, "a line of text above the picture");
     command->callback([arguments, &chosen] { chosen = [arguments] { return plot(*arguments); }; });
 }
 

@@ -72,8 +72,10 @@ void add_run(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("run", "make the grid that a config describes");
     auto options = std::make_shared<RunOptions>();
     add_case_options(*command, options->input);
-    command->add_option("-o,--output", options->output,
-                        "write the grid here (default: what the config says, else its stem)");
+    command
+        ->add_option("-o,--output", options->output,
+                     "write the grid here (default: what the config says, else its stem)")
+        ->type_name("FILE.cgns");
     command->callback([options, &chosen] {
         chosen = [options] {
             return run_case_command("run", options->input,
