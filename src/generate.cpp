@@ -40,7 +40,7 @@ Topology read_topology(const std::shared_ptr<const SourceFile>& source,
     return resolve(as_written, diagnostics);
 }
 
-Generated generate(Topology topology, const Progress& progress) {
+Generated generate(const Topology& topology, const Progress& progress) {
     std::vector<StageTime> times;
 
     const auto edges = timed(times, "edges", [&] { return make_edges(topology); });
@@ -56,7 +56,7 @@ Generated generate(Topology topology, const Progress& progress) {
         timed(times, "measure", [&] { return measure(topology, edges, faces, blocks, grid); });
 
     report.stages = std::move(times);
-    return {std::move(topology), std::move(grid), std::move(report)};
+    return {std::move(grid), std::move(report)};
 }
 
 }  // namespace hexweave

@@ -19,7 +19,6 @@ namespace hexweave {
 using Progress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
 
 struct Generated {
-    Topology topology;
     MultiblockGrid grid;
     Report report;
 };
@@ -30,6 +29,6 @@ Topology read_topology(const std::shared_ptr<const SourceFile>& source,
                        const std::vector<Override>& overrides, Diagnostics& diagnostics);
 
 /// Stages 3 to 6: edges, faces, blocks, the assembled grid, its measures.
-Generated generate(Topology topology, const Progress& progress);
+Generated generate(const Topology& topology, const Progress& progress);
 
 }  // namespace hexweave

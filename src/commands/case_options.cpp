@@ -132,7 +132,7 @@ void settle_warnings(const Diagnostics& diagnostics, const CaseOptions& options)
     if (diagnostics.warnings() == 0) return;
     if (options.strict) {
         Diagnostics errors;
-        for (Diagnostic d : diagnostics.all()) {
+        for (const Diagnostic& d : diagnostics.all()) {
             Diagnostic& e =
                 errors.error(d.place, d.message + " (an error because of --strict)", d.hint);
             e.notes = d.notes;

@@ -40,14 +40,14 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     const auto start = std::chrono::steady_clock::now();
     const auto source = read_source(options.input.config);
     const std::vector<Override> overrides = parse_overrides(options.input.set);
-    Topology topology = read_topology(source, overrides, outcome.diagnostics);
+    const Topology topology = read_topology(source, overrides, outcome.diagnostics);
     settle_warnings(outcome.diagnostics, options.input);
 
     // The output is staged before the work: a folder that cannot be written is told at once.
     const std::filesystem::path path = output_path(options, topology);
     OutputFiles files;
     const std::filesystem::path staged = files.stage(path);
-    const Generated made = generate(std::move(topology), make_progress(options.input.quiet));
+    const Generated made = generate(topology, make_progress(options.input.quiet));
     outcome.report = made.report;
     files.write(staged, [&made](const auto& temporary) { write_cgns(made.grid, temporary); });
     files.commit();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every shipped case, run as a user runs it; the big one in a coarse form. The facts are checked on
 // the file that came out, not on what the program says of it.
+#include <fmt/core.h>
+
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -144,7 +146,7 @@ TEST_CASE("the transfinite wall of the conical pipe lies on the cone") {
         ++nodes;
         worst = std::max(worst, std::abs(std::hypot(p.x, p.y) - (0.5 - 0.1 * p.z)));
     });
-    CHECK(nodes == 4 * 9 * 11);
+    CHECK(nodes == std::size_t{4} * 9 * 11);
     CHECK(worst < 1e-14);
 }
 
@@ -277,12 +279,13 @@ TEST_CASE("the grid does not depend on the start grid, folded or not") {
     for (const auto& [name, sizes] :
          {std::pair<std::string, std::string>{"naca0012", ""}, {"pipe", coarse_pipe}}) {
         const Scratch scratch;
-        const std::string options = " --set tolerance=1e-8" + sizes + " --json report.json -o ";
+        const auto arguments = [&sizes = sizes](const std::string& config, const char* grid) {
+            return fmt::format("run '{}' --set tolerance=1e-8{} --json report.json -o {}", config,
+                               sizes, grid);
+        };
         scratch.write("folded.yaml", folded_start(name));
-        REQUIRE(
-            scratch.hexweave("run " + shipped(name + ".yaml") + options + "plain.cgns").exit_code ==
-            0);
-        const Finished folded = scratch.hexweave("run folded.yaml" + options + "folded.cgns");
+        REQUIRE(scratch.hexweave(arguments(shipped(name + ".yaml"), "plain.cgns")).exit_code == 0);
+        const Finished folded = scratch.hexweave(arguments("folded.yaml", "folded.cgns"));
         INFO(name << folded.err << folded.out);
         REQUIRE(folded.exit_code == 0);
         const Json solves = Json::parse(scratch.read("report.json"))["report"]["solves"];
