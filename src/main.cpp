@@ -2,6 +2,7 @@
 // argv -> command -> exit code.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <new>
 
 #include "commands/command.h"
@@ -18,30 +19,14 @@ constexpr const char* footer =
     "line\n"
     "is wrong, nothing written; 3 the machine failed, nothing written.";
 
-/// Runs the chosen command; what it throws ends in a message and an exit code.
-int run(const hexweave::ChosenCommand& command) {
-    using hexweave::ExitCode;
-    const auto failed = [](ExitCode code, const char* message) {
-        std::fprintf(stderr, "hexweave: error: %s\n", message);
-        return static_cast<int>(code);
-    };
-    try {
-        return static_cast<int>(command());
-    } catch (const hexweave::UsageError& e) {
-        return failed(ExitCode::wrong_input, e.what());
-    } catch (const hexweave::MachineError& e) {
-        return failed(ExitCode::machine_failed, e.what());
-    } catch (const std::bad_alloc&) {
-        return failed(ExitCode::machine_failed, "out of memory; nothing was written");
-    }
+int failed(hexweave::ExitCode code, const char* message) {
+    std::fprintf(stderr, "hexweave: error: %s\n", message);
+    return static_cast<int>(code);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    hexweave::prepare_hdf5();
-    hexweave::remove_staged_files_on_signals();
-
+/// The command line: parsed into the command that it chooses, which then runs.
+int run(int argc, char** argv) {
+    using hexweave::ExitCode;
     CLI::App app{description, "hexweave"};
     app.set_version_flag("--version", "hexweave " HEXWEAVE_VERSION);
     app.require_subcommand(1);
@@ -50,14 +35,31 @@ int main(int argc, char** argv) {
     hexweave::add_run(app, chosen);
     hexweave::add_check(app, chosen);
     hexweave::add_plot(app, chosen);
-
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         const bool asked_for_text = e.get_exit_code() == 0;
         app.exit(e);
-        return static_cast<int>(asked_for_text ? hexweave::ExitCode::done
-                                               : hexweave::ExitCode::wrong_input);
+        return static_cast<int>(asked_for_text ? ExitCode::done : ExitCode::wrong_input);
     }
-    return run(chosen);
+    return static_cast<int>(chosen());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using hexweave::ExitCode;
+    try {
+        hexweave::prepare_hdf5();
+        hexweave::remove_staged_files_on_signals();
+        return run(argc, argv);
+    } catch (const hexweave::UsageError& e) {
+        return failed(ExitCode::wrong_input, e.what());
+    } catch (const hexweave::MachineError& e) {
+        return failed(ExitCode::machine_failed, e.what());
+    } catch (const std::bad_alloc&) {
+        return failed(ExitCode::machine_failed, "out of memory; nothing was written");
+    } catch (const std::exception& e) {
+        return failed(ExitCode::machine_failed, e.what());
+    }
 }

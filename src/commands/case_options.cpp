@@ -87,6 +87,8 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
     command.add_option("--set", options.set, "give a parameter another value; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME=EXPR");
+    command.add_option("--level", options.level, "grid level (comes with a later version)")
+        ->type_name("LEVEL");
     command
         .add_option("--json", options.json, "write the outcome as JSON to this file; - prints it")
         ->type_name("FILE");
@@ -148,7 +150,14 @@ ExitCode run_case_command(const char* command, const CaseOptions& options,
     Outcome outcome;
     outcome.command = command;
     outcome.config = options.config;
-    ExitCode code = guarded(body, outcome);
+    ExitCode code = guarded(
+        [&](Outcome& o) {
+            if (!options.level.empty()) {
+                throw UsageError("--level: grid levels come with a later version; remove it");
+            }
+            return body(o);
+        },
+        outcome);
     outcome.exit_code = static_cast<int>(code);
     if (!options.json.empty()) {
         const ExitCode written = guarded(

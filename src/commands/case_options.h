@@ -18,6 +18,7 @@ namespace hexweave {
 struct CaseOptions {
     std::string config;            ///< "-" reads standard input
     std::vector<std::string> set;  ///< NAME=EXPR
+    std::string level;             ///< of a nested family: refused until there are levels
     std::string json;              ///< "-" writes standard output; empty: none
     int threads = 0;               ///< 0: OMP_NUM_THREADS or all
     bool strict = false;
@@ -25,7 +26,7 @@ struct CaseOptions {
     bool quiet = false;
 };
 
-/// Adds CONFIG, --set, -j, --json, --strict, --verbose and --quiet to a subcommand.
+/// Adds CONFIG, --set, --level, -j, --json, --strict, --verbose and --quiet to a subcommand.
 void add_case_options(CLI::App& command, CaseOptions& options);
 
 /// The config's text. Throws UsageError when it cannot be read.
