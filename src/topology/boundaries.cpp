@@ -148,6 +148,8 @@ private:
         if (!side || *side == dropped_faulty) return std::nullopt;
         const auto n = static_cast<std::size_t>(*side);
         if (*side < 0 || sides_.users[n].empty()) {
+            // The face (block) that has it may be the one that is at fault.
+            if (!network_.intact) return std::nullopt;
             diagnostics_.error(
                 name.place,
                 fmt::format("{} {} is no side of the grid", sides_.kind, quoted(name.value)),

@@ -6,6 +6,27 @@
 
 using namespace hexweave;
 
+TEST_CASE("The sides of a faulty face are not said to belong to none") {
+    const std::string text = R"(
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1], e: [2, 0], g: [2, 1]}
+edges:
+  ab: {from: a, to: b, cells: 2}
+  bc: {from: b, to: c, cells: 2}
+  cg: {from: c, to: g}
+  be: {from: b, to: e, cells: 2, spacing: {like: ab}}  # keeps 'ab', whose face is at fault
+  eg: {from: e, to: g}
+  ad: {from: a, to: d}
+faces:
+  open: {imin: ad, imax: bc, jmin: ab, jmax: cg}
+  sound: {imin: bc, imax: eg, jmin: be, jmax: cg}
+boundaries:
+  all: {type: BCWall, sides: [ab, ad, be, eg, cg]}
+)";
+    const std::string told = faults(text);
+    CHECK(told.find("face 'open' is open") != std::string::npos);
+    CHECK(told.find("no side of the grid") == std::string::npos);
+}
+
 TEST_CASE("A side that joins two faces is no boundary") {
     const std::string text = R"(
 vertices: {a0: [0, 0], a1: [1, 0], a2: [2, 0], b0: [0, 1], b1: [1, 1], b2: [2, 1]}
