@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "commands/command.h"
 #include "io/cgns.h"
 #include "io/output_files.h"
 
@@ -125,7 +126,7 @@ ExitCode plot(const PlotArguments& arguments) {
     return ExitCode::done;
 }
 
-void add_plot(CLI::App& app, std::function<ExitCode()>& chosen) {
+void add_plot(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("plot", "draw a picture of a grid");
     const auto arguments = std::make_shared<PlotArguments>();
     command->add_option("GRID", arguments->grid, "the grid: a structured CGNS file")->required();

@@ -2,8 +2,6 @@
 // `hexweave plot GRID -o PICTURE`: a picture of a finished grid.
 #pragma once
 
-#include <CLI/App.hpp>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,8 +30,5 @@ PictureOptions picture_options(const PlotArguments& arguments);
 
 /// Reads the grid, writes the picture and prints one line that says what it shows.
 ExitCode plot(const PlotArguments& arguments);
-
-/// Adds the subcommand; when it is the one given, `chosen` runs it.
-void add_plot(CLI::App& app, std::function<ExitCode()>& chosen);
 
 }  // namespace hexweave
