@@ -20,7 +20,7 @@ BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces) {
     if (block.solve.method == Method::elliptic) {
         if (block.solve.start_folded) fold_interior(grid.points);
         grid.solve = solve_elliptic(grid.points, parameters,
-                                    {block.solve.tolerance, block.solve.maximum_iterations});
+                                    {block.solve.tolerance, block.solve.maximum_cycles});
     }
     return grid;
 }

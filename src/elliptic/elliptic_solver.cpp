@@ -142,9 +142,9 @@ bool PicardIteration::retreat() {
 
 void PicardIteration::run(const EllipticOptions& options, SolveResult& result) {
     std::vector<double> steps;
-    while (result.iterations < options.maximum_iterations) {
+    while (result.cycles < options.maximum_cycles) {
         const double displacement = picard_step();
-        ++result.iterations;
+        ++result.cycles;
         result.history.push_back(displacement);
         if (!std::isfinite(displacement)) {
             steps.clear();

@@ -10,7 +10,7 @@ namespace hexweave {
 
 struct EllipticOptions {
     double tolerance = 1e-3;  ///< estimated remaining displacement, in cells
-    int maximum_iterations = 200;
+    int maximum_cycles = 200;
 };
 
 /// The algebraic map C -> P: the parameters (s, t, u) of every node; for a face u is unused.

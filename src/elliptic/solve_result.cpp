@@ -17,4 +17,16 @@ const char* status_name(SolveStatus status) {
     return "unknown";
 }
 
+const char* safeguard_name(Safeguard safeguard) {
+    switch (safeguard) {
+        case Safeguard::damping:
+            return "damping";
+        case Safeguard::anderson_picard:
+            return "Anderson-Picard";
+        case Safeguard::krylov_picard:
+            return "Krylov-Picard";
+    }
+    return "?";
+}
+
 }  // namespace hexweave

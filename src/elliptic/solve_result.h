@@ -2,27 +2,52 @@
 // What a solve came to: returned, never printed and lost.
 #pragma once
 
+#include <optional>
 #include <vector>
+
+#include "core/vec3.h"
 
 namespace hexweave {
 
 enum class SolveStatus {
     algebraic,      ///< nothing was solved, as asked
     converged,      ///< the estimated remaining displacement is below the tolerance
-    not_converged,  ///< the iterations ran out; the best iterate was kept
+    not_converged,  ///< the cycles ran out; the best iterate was kept
     diverged,       ///< the iterates left the range of numbers; the best iterate was kept
+};
+
+/// What the solver fell back on, in the order in which it is tried.
+enum class Safeguard {
+    damping,          ///< cycles with relaxed corrections
+    anderson_picard,  ///< accelerated Picard steps with multigrid as the linear solver
+    krylov_picard,    ///< damped Picard steps with a Krylov solver
+};
+
+/// Where and how far points were moved to turn folded cells the right way round.
+struct Untangling {
+    long folded_before = 0;  ///< cells, of the elliptic grid
+    long points_moved = 0;
+    double largest_move = 0;  ///< distance
+    Vec3 place;               ///< of the largest move
+    int patches = 0;          ///< regions that were worked on
+    int rounds = 0;           ///< how often a patch had to grow
+    bool whole_grid = false;  ///< patches were not enough: every interior point was free
 };
 
 struct SolveResult {
     SolveStatus status = SolveStatus::algebraic;
-    int iterations = 0;
+    int cycles = 0;
     double tolerance = 0;         ///< asked, in cells
-    double displacement = 0;      ///< of the last step, in cells
-    std::vector<double> history;  ///< displacement of every step, in cells
-    long folded_before = 0;       ///< folded cells of the start grid
-    long folded_after = 0;
+    double displacement = 0;      ///< of the last cycle, in cells
+    double rate = 0;              ///< by which the displacement fell in each of the last cycles
+    std::vector<double> history;  ///< displacement of every cycle, in cells
+    std::vector<Safeguard> safeguards;  ///< those entered, in order
+    long folded_before = 0;             ///< folded cells of the start grid
+    long folded_after = 0;              ///< of the finished one
+    std::optional<Untangling> untangling;
 };
 
 const char* status_name(SolveStatus status);
+const char* safeguard_name(Safeguard safeguard);
 
 }  // namespace hexweave

@@ -25,7 +25,7 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
     if (face.solve.method == Method::elliptic) {
         if (face.solve.start_folded) fold_interior(grid.points);
         grid.solve = solve_elliptic(grid.points, parameters,
-                                    {face.solve.tolerance, face.solve.maximum_iterations});
+                                    {face.solve.tolerance, face.solve.maximum_cycles});
     }
     if (planar) set_plane(grid.points, {2, 0.0});
     if (face.plane) set_plane(grid.points, *face.plane);

@@ -48,7 +48,7 @@ Json solve(const SolveMeasure& s) {
             {"kind", s.is_block ? "block" : "face"},
             {"nodes", extent(s.extent)},
             {"status", status_name(s.result.status)},
-            {"iterations", s.result.iterations},
+            {"cycles", s.result.cycles},
             {"tolerance", number(s.result.tolerance)},
             {"displacement", number(s.result.displacement)},
             {"history", history},

@@ -62,7 +62,7 @@ std::string solve_table(const Report& report, bool verbose) {
     for (const SolveMeasure& s : report.solves) width = std::max(width, s.name.size() + 6);
     std::string text =
         fmt::format("{:<{}}  {:>15} {:<14} {:>10} {:>14} {:>13}\n", "solve", width, "nodes",
-                    "status", "iterations", "displacement", "folded before");
+                    "status", "cycles", "displacement", "folded before");
     for (const SolveMeasure& s : report.solves) {
         const SolveResult& r = s.result;
         const std::string name = (s.is_block ? "block " : "face ") + s.name;
@@ -74,7 +74,7 @@ std::string solve_table(const Report& report, bool verbose) {
             text += fmt::format("{:>10} {:>14} {:>13}\n", "-", "-", "-");
             continue;
         }
-        text += fmt::format("{:>10} {:>8.1e} cells {:>13}\n", r.iterations, r.displacement,
+        text += fmt::format("{:>10} {:>8.1e} cells {:>13}\n", r.cycles, r.displacement,
                             r.folded_before);
         if (!verbose) continue;
         for (std::size_t step = 0; step < r.history.size(); ++step) {
@@ -138,7 +138,7 @@ std::vector<std::string> faults(const Report& report) {
         found.push_back(
             fmt::format("{} '{}' {} after {} (displacement {:.1e} cells, asked {:.1e})",
                         s.is_block ? "block" : "face", s.name, status_name(s.result.status),
-                        counted(static_cast<std::size_t>(s.result.iterations), "iteration"),
+                        counted(static_cast<std::size_t>(s.result.cycles), "cycle"),
                         s.result.displacement, s.result.tolerance));
     }
     for (const InterfaceMeasure& i : report.interfaces) {

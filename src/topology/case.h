@@ -142,7 +142,7 @@ struct BoundaryEntry {
 
 struct SolverEntry {
     double tolerance = 1e-3;  ///< displacement in cells
-    int maximum_iterations = 200;
+    int maximum_cycles = 200;
     bool start_folded = false;  ///< for tests of robustness: begin from a grid folded on purpose
 };
 

@@ -179,7 +179,7 @@ std::optional<FrameSides> sides_between(Draft& draft, const std::array<int, 4>& 
 }
 
 SolveRequest solve_request(const Case& c, const MethodEntry& how) {
-    return {how.method, how.tolerance.value_or(c.solver.tolerance), c.solver.maximum_iterations,
+    return {how.method, how.tolerance.value_or(c.solver.tolerance), c.solver.maximum_cycles,
             c.solver.start_folded};
 }
 

@@ -75,7 +75,7 @@ struct EdgeUse {
 struct SolveRequest {
     Method method = Method::elliptic;
     double tolerance = 1e-3;  ///< displacement in cells
-    int maximum_iterations = 200;
+    int maximum_cycles = 200;
     bool start_folded = false;
 };
 

@@ -181,13 +181,13 @@ TEST_CASE("a result that did not converge is written, named and gives exit code 
     std::string text = slurp(shipped("obstacle.yaml"));
     const std::size_t at = text.find("solver: {");
     REQUIRE(at != std::string::npos);
-    text.insert(at + 9, "maximum_iterations: 2, ");
+    text.insert(at + 9, "maximum_cycles: 2, ");
     scratch.write("hard.yaml", text);
     const Finished run = scratch.hexweave("run hard.yaml -o hard.cgns");
     CHECK(run.exit_code == 1);
     CHECK(scratch.has("hard.cgns"));
     CHECK(contains(run.out, "NOT SOUND"));
-    CHECK(contains(run.out, "face 'ring' not converged after 2 iterations"));
+    CHECK(contains(run.out, "face 'ring' not converged after 2 cycles"));
 }
 
 TEST_CASE("a folded result is written, named and gives exit code 1") {
