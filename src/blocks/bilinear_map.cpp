@@ -53,8 +53,9 @@ double slope(const EdgeStations& e, const Plane& plane, const SquarePoint& p) {
     return 1 - u_s * s_slope - u_t * t_slope;
 }
 
-/// The normalized arc lengths on the four edges along one axis, node by node.
-std::vector<std::array<double, 4>> edge_stations(const PointField& boundary, int axis) {
+/// The edge functions of the four edges along one axis, node by node.
+std::vector<std::array<double, 4>> edge_stations(const PointField& boundary, int axis,
+                                                 const std::array<EndExponents, 4>& exponents) {
     const Extent n = boundary.extent();
     const Node last{n.ni - 1, n.nj - 1, n.nk - 1};
     const std::size_t first = axis == 0 ? 1 : 0;
@@ -64,9 +65,9 @@ std::vector<std::array<double, 4>> edge_stations(const PointField& boundary, int
         Node start{};
         if (edge % 2 == 1) start[first] = last[first];
         if (edge / 2 == 1) start[second] = last[second];
-        const auto fractions = normalized_arc_length(grid_line(boundary, start, axis));
+        const auto values = edge_function(grid_line(boundary, start, axis), exponents[edge]);
         for (std::size_t node = 0; node < stations.size(); ++node) {
-            stations[node][edge] = fractions[node];
+            stations[node][edge] = values[node];
         }
     }
     return stations;
@@ -98,11 +99,12 @@ CubePoint bilinear_point(const EdgeStations& stations) {
     return {p.s, p.t, blend(stations.u, p.s, p.t)};
 }
 
-ParameterField bilinear_map(const PointField& boundary) {
+ParameterField bilinear_map(const PointField& boundary,
+                            const PerBlockEdge<EndExponents>& exponents) {
     const Extent n = boundary.extent();
-    const auto along_i = edge_stations(boundary, 0);
-    const auto along_j = edge_stations(boundary, 1);
-    const auto along_k = edge_stations(boundary, 2);
+    const auto along_i = edge_stations(boundary, 0, exponents[0]);
+    const auto along_j = edge_stations(boundary, 1, exponents[1]);
+    const auto along_k = edge_stations(boundary, 2, exponents[2]);
     ParameterField parameters{Field(n), Field(n), Field(n)};
     parallel_for(static_cast<std::size_t>(n.nk), [&](std::size_t k) {
         std::size_t node = n.offset(0, 0, static_cast<int>(k));

@@ -7,8 +7,15 @@
 
 #include "core/field.h"
 #include "elliptic/elliptic_solver.h"
+#include "faces/edge_functions.h"
 
 namespace hexweave {
+
+/// Something for each of a block's twelve edges: [axis][number], where the number is that of
+/// EdgeStations: 0 to 3 for the edges at (min, min), (max, min), (min, max), (max, max) of the
+/// other two axes, ascending.
+template <class T>
+using PerBlockEdge = std::array<std::array<T, 4>, 3>;
 
 struct CubePoint {
     double s = 0;
@@ -33,6 +40,8 @@ struct EdgeStations {
 CubePoint bilinear_point(const EdgeStations& stations);
 
 /// The parameters (s, t, u) of every node of a block, its sides included, from its boundary points.
-ParameterField bilinear_map(const PointField& boundary);
+/// The edge functions of its edges are their normalized arc lengths with these exponents.
+ParameterField bilinear_map(const PointField& boundary,
+                            const PerBlockEdge<EndExponents>& exponents = {});
 
 }  // namespace hexweave

@@ -3,6 +3,7 @@
 
 #include "blocks/bilinear_map.h"
 #include "blocks/block_boundary.h"
+#include "blocks/flat_edges.h"
 #include "blocks/transfinite_block.h"
 #include "elliptic/elliptic_solver.h"
 #include "faces/folded_start.h"
@@ -12,12 +13,16 @@ namespace hexweave {
 
 namespace {
 
-BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces) {
+BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces,
+                     const BlockEdgeFunctions& functions) {
     BlockGrid grid;
     grid.points = block_boundary(block, faces);
-    const ParameterField parameters = bilinear_map(grid.points);
+    grid.flat_edges = functions.flat;
+    const bool algebraic = block.solve.method == Method::algebraic;
+    const ParameterField parameters =
+        bilinear_map(grid.points, algebraic ? PerBlockEdge<EndExponents>{} : functions.exponents);
     interpolate_block(grid.points, parameters);
-    if (block.solve.method == Method::elliptic) {
+    if (!algebraic) {
         if (block.solve.start_folded) fold_interior(grid.points);
         grid.solve = solve_elliptic(grid.points, parameters,
                                     {block.solve.tolerance, block.solve.maximum_cycles});
@@ -31,9 +36,10 @@ std::vector<BlockGrid> make_blocks(const Topology& topology, const std::vector<F
                                    const std::function<void()>& done) {
     std::vector<std::size_t> sizes;
     for (const Block& block : topology.blocks) sizes.push_back(block.extent.nodes());
+    const std::vector<BlockEdgeFunctions> functions = block_edge_functions(topology, faces);
     std::vector<BlockGrid> grids(topology.blocks.size());
     largest_first(sizes, done, [&](std::size_t index) {
-        grids[index] = make_block(topology.blocks[index], faces);
+        grids[index] = make_block(topology.blocks[index], faces, functions[index]);
     });
     return grids;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/field.h"
@@ -16,6 +17,7 @@ namespace hexweave {
 struct BlockGrid {
     PointField points;
     SolveResult solve;
+    std::vector<std::string> flat_edges;  ///< edges where two of its sides meet flat
 };
 
 /// One grid per block of the topology, in its order; independent blocks in parallel. `done` is

@@ -3,6 +3,7 @@
 
 #include "elliptic/elliptic_solver.h"
 #include "faces/face_boundary.h"
+#include "faces/flat_corners.h"
 #include "faces/folded_start.h"
 #include "faces/largest_first.h"
 #include "faces/straight_line_map.h"
@@ -20,9 +21,13 @@ void set_plane(PointField& points, const AxisPlane& plane) {
 FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool planar) {
     FaceGrid grid;
     grid.points = face_boundary(face, edges);
-    const ParameterField parameters = straight_line_map(grid.points);
+    grid.flat_corners = flat_corners(grid.points, planar);
+    const bool algebraic = face.solve.method == Method::algebraic;
+    const double exponent = algebraic ? 1 : face.solve.flat_edge_exponent;
+    const ParameterField parameters =
+        straight_line_map(grid.points, corner_exponents(grid.flat_corners, exponent));
     interpolate_face(grid.points, parameters);
-    if (face.solve.method == Method::elliptic) {
+    if (!algebraic) {
         if (face.solve.start_folded) fold_interior(grid.points);
         grid.solve = solve_elliptic(grid.points, parameters,
                                     {face.solve.tolerance, face.solve.maximum_cycles});

@@ -2,6 +2,7 @@
 // Stage 4: points of faces.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace hexweave {
 struct FaceGrid {
     PointField points;
     SolveResult solve;
+    std::array<bool, 4> flat_corners{};  ///< where two of its sides meet flat, as Face::corners
 };
 
 /// One grid per face of the topology, in its order; independent faces in parallel. `done` is called

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/straight_line_map.h"
 
-#include <array>
 #include <cmath>
 
 #include "core/assert.h"
@@ -35,13 +34,14 @@ SquarePoint straight_line_point(double s_jmin, double s_jmax, double t_imin, dou
             between(t_imin, t_imax, s_jmin) / determinant};
 }
 
-ParameterField straight_line_map(const PointField& boundary) {
+ParameterField straight_line_map(const PointField& boundary,
+                                 const std::array<EndExponents, 4>& exponents) {
     const Extent extent = boundary.extent();
     HEXWEAVE_ASSERT(extent.nk == 1);
-    const auto s_jmin = normalized_arc_length(grid_line(boundary, {0, 0, 0}, 0));
-    const auto s_jmax = normalized_arc_length(grid_line(boundary, {0, extent.nj - 1, 0}, 0));
-    const auto t_imin = normalized_arc_length(grid_line(boundary, {0, 0, 0}, 1));
-    const auto t_imax = normalized_arc_length(grid_line(boundary, {extent.ni - 1, 0, 0}, 1));
+    const auto s_jmin = edge_function(grid_line(boundary, {0, 0, 0}, 0), exponents[2]);
+    const auto s_jmax = edge_function(grid_line(boundary, {0, extent.nj - 1, 0}, 0), exponents[3]);
+    const auto t_imin = edge_function(grid_line(boundary, {0, 0, 0}, 1), exponents[0]);
+    const auto t_imax = edge_function(grid_line(boundary, {extent.ni - 1, 0, 0}, 1), exponents[1]);
     ParameterField parameters{Field(extent), Field(extent), {}};
     for (int j = 0; j < extent.nj; ++j) {
         const auto row = static_cast<std::size_t>(j);

@@ -3,8 +3,11 @@
 // straight lines of the unit square between the normalized arc lengths on opposite sides.
 #pragma once
 
+#include <array>
+
 #include "core/field.h"
 #include "elliptic/elliptic_solver.h"
+#include "faces/edge_functions.h"
 
 namespace hexweave {
 
@@ -23,8 +26,11 @@ double between(double a, double b, double f);
 /// [Spekreijse & Boerstoel 1996, eqs. (39), (40)]
 SquarePoint straight_line_point(double s_jmin, double s_jmax, double t_imin, double t_imax);
 
-/// The parameters (s, t) of every node of a face from its boundary points; u is left empty.
+/// The parameters (s, t) of every node of a face from its boundary points; u is left empty. The
+/// edge functions of the sides imin, imax, jmin, jmax are their normalized arc lengths with these
+/// exponents.
 /// [Spekreijse & Boerstoel 1996, eqs. (30)-(40)]
-ParameterField straight_line_map(const PointField& boundary);
+ParameterField straight_line_map(const PointField& boundary,
+                                 const std::array<EndExponents, 4>& exponents = {});
 
 }  // namespace hexweave

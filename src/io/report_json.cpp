@@ -53,7 +53,8 @@ Json solve(const SolveMeasure& s) {
             {"displacement", number(s.result.displacement)},
             {"history", history},
             {"folded_before", s.result.folded_before},
-            {"folded_after", s.result.folded_after}};
+            {"folded_after", s.result.folded_after},
+            {"flat_at", s.flat_at}};
 }
 
 Json zone(const ZoneMeasure& z) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/report_text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +60,8 @@ std::string spacing_table(const Report& report) {
 std::string solve_table(const Report& report, bool verbose) {
     std::size_t width = 6;
     for (const SolveMeasure& s : report.solves) width = std::max(width, s.name.size() + 6);
-    std::string text =
-        fmt::format("{:<{}}  {:>15} {:<14} {:>10} {:>14} {:>13}\n", "solve", width, "nodes",
-                    "status", "cycles", "displacement", "folded before");
+    std::string text = fmt::format("{:<{}}  {:>15} {:<14} {:>10} {:>14} {:>13}\n", "solve", width,
+                                   "nodes", "status", "cycles", "displacement", "folded before");
     for (const SolveMeasure& s : report.solves) {
         const SolveResult& r = s.result;
         const std::string name = (s.is_block ? "block " : "face ") + s.name;
@@ -72,11 +71,14 @@ std::string solve_table(const Report& report, bool verbose) {
         text += fmt::format("{:<{}}  {:>15} {:<14} ", name, width, nodes, status_name(r.status));
         if (r.status == SolveStatus::algebraic) {
             text += fmt::format("{:>10} {:>14} {:>13}\n", "-", "-", "-");
-            continue;
+        } else {
+            text += fmt::format("{:>10} {:>8.1e} cells {:>13}\n", r.cycles, r.displacement,
+                                r.folded_before);
         }
-        text += fmt::format("{:>10} {:>8.1e} cells {:>13}\n", r.cycles, r.displacement,
-                            r.folded_before);
         if (!verbose) continue;
+        if (!s.flat_at.empty()) {
+            text += fmt::format("  sides meet flat at {}\n", fmt::join(s.flat_at, ", "));
+        }
         for (std::size_t step = 0; step < r.history.size(); ++step) {
             text +=
                 fmt::format("  step {:>4}  displacement {:.3e} cells\n", step + 1, r.history[step]);
@@ -135,11 +137,11 @@ std::vector<std::string> faults(const Report& report) {
             s.result.status == SolveStatus::algebraic) {
             continue;
         }
-        found.push_back(
-            fmt::format("{} '{}' {} after {} (displacement {:.1e} cells, asked {:.1e})",
-                        s.is_block ? "block" : "face", s.name, status_name(s.result.status),
-                        counted(static_cast<std::size_t>(s.result.cycles), "cycle"),
-                        s.result.displacement, s.result.tolerance));
+        found.push_back(fmt::format("{} '{}' {} after {} (displacement {:.1e} cells, asked {:.1e})",
+                                    s.is_block ? "block" : "face", s.name,
+                                    status_name(s.result.status),
+                                    counted(static_cast<std::size_t>(s.result.cycles), "cycle"),
+                                    s.result.displacement, s.result.tolerance));
     }
     for (const InterfaceMeasure& i : report.interfaces) {
         if (i.mismatched == 0) continue;

@@ -206,12 +206,17 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
     }
     report.spacings = measure_spacings(topology, edges);
     for (std::size_t f = 0; f < faces.size(); ++f) {
-        report.solves.push_back(
-            {topology.faces[f].name, false, topology.faces[f].extent(), faces[f].solve});
+        const Face& face = topology.faces[f];
+        report.solves.push_back({face.name, false, face.extent(), faces[f].solve, {}});
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            if (!faces[f].flat_corners[corner]) continue;
+            const auto vertex = static_cast<std::size_t>(face.corners[corner]);
+            report.solves.back().flat_at.push_back(topology.vertices[vertex].name);
+        }
     }
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        report.solves.push_back(
-            {topology.blocks[b].name, true, topology.blocks[b].extent, blocks[b].solve});
+        report.solves.push_back({topology.blocks[b].name, true, topology.blocks[b].extent,
+                                 blocks[b].solve, blocks[b].flat_edges});
     }
     return report;
 }

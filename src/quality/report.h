@@ -30,6 +30,8 @@ struct SolveMeasure {
     bool is_block = false;
     Extent extent;
     SolveResult result;
+    /// Vertices of a face, edges of a block, where two of its sides meet flat.
+    std::vector<std::string> flat_at;
 };
 
 /// The cells of one zone, measured anew from its points.

@@ -102,6 +102,7 @@ enum class Method { elliptic, algebraic };
 struct MethodEntry {
     Method method = Method::elliptic;
     std::optional<double> tolerance;  ///< displacement in cells; the global one where absent
+    std::optional<double> flat_edge_exponent;  ///< the global one where absent
 };
 
 /// Four sides (imin, imax, jmin, jmax), each an edge or several in a row; or four corner vertices
@@ -144,6 +145,7 @@ struct SolverEntry {
     double tolerance = 1e-3;  ///< displacement in cells
     int maximum_cycles = 200;
     bool start_folded = false;  ///< for tests of robustness: begin from a grid folded on purpose
+    std::optional<double> flat_edge_exponent;  ///< of edge functions where two sides meet flat
 };
 
 struct Case {

@@ -96,19 +96,21 @@ void read_title_and_units(Reading& reading, const YamlNode& root, Case& c) {
 void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
     const YamlNode* node = section_of(reading, root, "solver");
     if (node == nullptr) return;
-    expect_mapping(reading, *node, "'solver'", {"tolerance", "maximum_cycles", "start"});
+    expect_mapping(reading, *node, "'solver'",
+                   {"tolerance", "maximum_cycles", "start", "flat_edge_exponent"});
     if (const YamlNode* tolerance = find(reading, *node, "tolerance")) {
         solver.tolerance =
             read_positive(reading, *tolerance, "'tolerance'").value_or(solver.tolerance);
     }
     if (const YamlNode* maximum = find(reading, *node, "maximum_cycles")) {
-        solver.maximum_cycles = read_count(reading, *maximum, "'maximum_cycles'")
-                                        .value_or(solver.maximum_cycles);
+        solver.maximum_cycles =
+            read_count(reading, *maximum, "'maximum_cycles'").value_or(solver.maximum_cycles);
     }
     if (const YamlNode* start = find(reading, *node, "start")) {
         const auto choice = read_choice(reading, *start, "'start'", {"transfinite", "folded"});
         solver.start_folded = choice && *choice == 1;
     }
+    solver.flat_edge_exponent = read_flat_edge_exponent(reading, *node);
 }
 
 std::optional<Name> read_output(Reading& reading, const YamlNode& root) {

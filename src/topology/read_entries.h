@@ -4,6 +4,7 @@
 // vertex lies on a curve without a name), so that its own name still stands.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "topology/case.h"
@@ -15,6 +16,8 @@ std::vector<VertexEntry> read_vertices(Reading& reading, const YamlNode& section
 std::vector<EdgeEntry> read_edges(Reading& reading, const YamlNode& section);
 std::vector<FaceEntry> read_faces(Reading& reading, const YamlNode& section);
 std::vector<BlockEntry> read_blocks(Reading& reading, const YamlNode& section);
+/// The value of `flat_edge_exponent` in a face, a block or the solver's section, where it is there.
+std::optional<double> read_flat_edge_exponent(Reading& reading, const YamlNode& mapping);
 std::vector<BoundaryEntry> read_boundaries(Reading& reading, const YamlNode& section);
 
 }  // namespace hexweave

@@ -31,6 +31,7 @@ MethodEntry read_method(Reading& reading, const YamlNode& node) {
     if (const YamlNode* tolerance = find(reading, node, "tolerance")) {
         how.tolerance = read_positive(reading, *tolerance, "'tolerance'");
     }
+    how.flat_edge_exponent = read_flat_edge_exponent(reading, node);
     return how;
 }
 
@@ -96,7 +97,7 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
     FaceEntry face{{node.key, node.key_place}, edges, {}};
 
     Keys keys = sides;
-    keys.insert(keys.end(), {"corners", "method", "tolerance", "surface"});
+    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "surface"});
     if (!expect_mapping(reading, node, what, keys,
                         {{"orthogonal", "orthogonality at boundaries is not in this version yet",
                           "remove the key 'orthogonal'"}})) {
@@ -166,7 +167,7 @@ BlockEntry read_block(Reading& reading, const YamlNode& node) {
     BlockEntry block{{node.key, node.key_place}, faces, {}};
 
     Keys keys = sides;
-    keys.insert(keys.end(), {"corners", "method", "tolerance"});
+    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent"});
     if (!expect_mapping(reading, node, what, keys)) return block;
     block.how = read_method(reading, node);
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
@@ -278,6 +279,17 @@ std::vector<Entry> read_section(Reading& reading, const YamlNode& section, const
 }
 
 }  // namespace
+
+std::optional<double> read_flat_edge_exponent(Reading& reading, const YamlNode& mapping) {
+    const YamlNode* node = find(reading, mapping, "flat_edge_exponent");
+    if (node == nullptr) return std::nullopt;
+    const std::optional<double> value = read_positive(reading, *node, "'flat_edge_exponent'");
+    if (!value || *value <= 1) return value;
+    reading.diagnostics.error(node->place,
+                              fmt::format("'flat_edge_exponent' must be at most 1, not {}", *value),
+                              "1 is the arc length; 0.7 is the default of grids of blocks");
+    return std::nullopt;
+}
 
 std::vector<FaceEntry> read_faces(Reading& reading, const YamlNode& section) {
     return read_section<FaceEntry>(reading, section, "face", read_face);

@@ -77,6 +77,8 @@ struct SolveRequest {
     double tolerance = 1e-3;  ///< displacement in cells
     int maximum_cycles = 200;
     bool start_folded = false;
+    /// Of edge functions at an end where two sides meet flat; 1 is the arc length.
+    double flat_edge_exponent = 1;
 };
 
 struct Face {

@@ -217,3 +217,23 @@ TEST_CASE("A pipe of five blocks by corners makes the edges and faces that are n
     CHECK(t.boundaries.size() == 3);
     CHECK(t.boundaries[0].sides.size() == 4);
 }
+
+TEST_CASE("The exponent at flat edges is 0.7 in blocks and their faces, 1 in grids of faces") {
+    const auto exponents = [](const std::string& more) {
+        const Topology t = resolved(naca + more);
+        return std::array{t.faces[0].solve.flat_edge_exponent, t.faces[1].solve.flat_edge_exponent};
+    };
+    CHECK(exponents("") == std::array{1.0, 1.0});
+    CHECK(exponents("solver: {flat_edge_exponent: far / 40}\n") == std::array{0.5, 0.5});
+
+    const Topology pipe = resolved(round_pipe);
+    CHECK(pipe.faces[0].solve.flat_edge_exponent == 0.7);
+    CHECK(pipe.blocks[0].solve.flat_edge_exponent == 0.7);
+    CHECK(resolved(round_pipe + "solver: {flat_edge_exponent: 1}\n")
+              .blocks[0]
+              .solve.flat_edge_exponent == 1);
+    std::string own = naca;
+    own.replace(own.find("  below: {"), 10, "  below: {flat_edge_exponent: 0.6, ");
+    CHECK(resolved(own).faces[1].solve.flat_edge_exponent == 0.6);
+    CHECK(resolved(own).faces[0].solve.flat_edge_exponent == 1);
+}
