@@ -29,4 +29,20 @@ const char* safeguard_name(Safeguard safeguard) {
     return "?";
 }
 
+const char* orthogonality_end_name(OrthogonalityEnd end) {
+    switch (end) {
+        case OrthogonalityEnd::all_passes:
+            return "all passes done";
+        case OrthogonalityEnd::edges_not_converged:
+            return "the edge functions did not converge";
+        case OrthogonalityEnd::edges_not_monotone:
+            return "the edge functions do not increase";
+        case OrthogonalityEnd::not_converged:
+            return "the grid did not converge";
+        case OrthogonalityEnd::folded:
+            return "the grid is folded";
+    }
+    return "?";
+}
+
 }  // namespace hexweave

@@ -34,6 +34,24 @@ struct Untangling {
     bool whole_grid = false;  ///< patches were not enough: every interior point was free
 };
 
+/// How the passes that make a grid orthogonal at its boundary ended.
+enum class OrthogonalityEnd {
+    all_passes,           ///< as many as were asked
+    edges_not_converged,  ///< the harmonic edge functions were not found
+    edges_not_monotone,   ///< they do not increase along an edge: the grid is too coarse for them
+    not_converged,        ///< the grid of the next pass (before the first, the grid itself)
+    folded,               ///< likewise: it has folded cells
+};
+
+/// What was done to make grid lines meet sides at right angles. The grid is that of the last pass
+/// that ended well; with none, of the straight-line map.
+struct Orthogonality {
+    int passes = 0;
+    int passes_asked = 0;
+    int edge_cycles = 0;  ///< multigrid cycles for the edge functions, all passes
+    OrthogonalityEnd end = OrthogonalityEnd::all_passes;
+};
+
 struct SolveResult {
     SolveStatus status = SolveStatus::algebraic;
     int cycles = 0;
@@ -45,9 +63,12 @@ struct SolveResult {
     long folded_before = 0;             ///< folded cells of the start grid
     long folded_after = 0;              ///< of the finished one
     std::optional<Untangling> untangling;
+    std::optional<Orthogonality> orthogonality;  ///< where it was asked for
 };
 
 const char* status_name(SolveStatus status);
 const char* safeguard_name(Safeguard safeguard);
+/// "all passes done", "the grid is folded", ...
+const char* orthogonality_end_name(OrthogonalityEnd end);
 
 }  // namespace hexweave

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/face_grid.h"
 
+#include <algorithm>
+
 #include "elliptic/elliptic_solver.h"
 #include "faces/face_boundary.h"
 #include "faces/flat_corners.h"
 #include "faces/folded_start.h"
 #include "faces/largest_first.h"
+#include "faces/orthogonal_face.h"
 #include "faces/straight_line_map.h"
 #include "faces/transfinite_face.h"
 
@@ -29,8 +32,13 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
     interpolate_face(grid.points, parameters);
     if (!algebraic) {
         if (face.solve.start_folded) fold_interior(grid.points);
-        grid.solve = solve_elliptic(grid.points, parameters,
-                                    {face.solve.tolerance, face.solve.maximum_cycles});
+        const EllipticOptions options{face.solve.tolerance, face.solve.maximum_cycles};
+        grid.solve = solve_elliptic(grid.points, parameters, options);
+        const auto& sides = face.orthogonal;
+        if (std::any_of(sides.begin(), sides.end(), [](bool asked) { return asked; })) {
+            make_orthogonal(grid.points, parameters, sides,
+                            orthogonal_passes(sides, grid.flat_corners), options, grid.solve);
+        }
     }
     if (planar) set_plane(grid.points, {2, 0.0});
     if (face.plane) set_plane(grid.points, *face.plane);

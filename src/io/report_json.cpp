@@ -41,6 +41,13 @@ Json diagnostic(const Diagnostic& d) {
     return json;
 }
 
+Json orthogonality(const Orthogonality& o) {
+    return {{"passes", o.passes},
+            {"passes_asked", o.passes_asked},
+            {"edge_cycles", o.edge_cycles},
+            {"end", orthogonality_end_name(o.end)}};
+}
+
 Json solve(const SolveMeasure& s) {
     Json history = Json::array();
     for (const double step : s.result.history) history.push_back(number(step));
@@ -54,7 +61,9 @@ Json solve(const SolveMeasure& s) {
             {"history", history},
             {"folded_before", s.result.folded_before},
             {"folded_after", s.result.folded_after},
-            {"flat_at", s.flat_at}};
+            {"flat_at", s.flat_at},
+            {"orthogonality",
+             s.result.orthogonality ? orthogonality(*s.result.orthogonality) : Json(nullptr)}};
 }
 
 Json zone(const ZoneMeasure& z) {

@@ -19,9 +19,12 @@ std::string grouped(std::size_t number) {
     return digits;
 }
 
-/// "1 cell", "2 cells".
-std::string counted(std::size_t number, const char* one) {
-    return grouped(number) + " " + one + (number == 1 ? "" : "s");
+/// "1 cell", "2 cells"; "1 pass", "2 passes".
+std::string counted(std::size_t number, const std::string& one, const std::string& more) {
+    return grouped(number) + " " + (number == 1 ? one : more);
+}
+std::string counted(std::size_t number, const std::string& one) {
+    return counted(number, one, one + "s");
 }
 
 std::string asked_text(const std::optional<double>& asked) {
@@ -57,6 +60,18 @@ std::string spacing_table(const Report& report) {
     return text;
 }
 
+/// How far orthogonality at the boundary got; by default only where it fell short of what was
+/// asked.
+std::string orthogonality_line(const SolveResult& result, bool verbose) {
+    if (!result.orthogonality) return {};
+    const Orthogonality& o = *result.orthogonality;
+    const bool complete = o.end == OrthogonalityEnd::all_passes;
+    if (complete && !verbose) return {};
+    return fmt::format("  orthogonal: {} of {} done{}{}\n", o.passes,
+                       counted(static_cast<std::size_t>(o.passes_asked), "pass", "passes"),
+                       complete ? "" : ", then ", complete ? "" : orthogonality_end_name(o.end));
+}
+
 std::string solve_table(const Report& report, bool verbose) {
     std::size_t width = 6;
     for (const SolveMeasure& s : report.solves) width = std::max(width, s.name.size() + 6);
@@ -75,6 +90,7 @@ std::string solve_table(const Report& report, bool verbose) {
             text += fmt::format("{:>10} {:>8.1e} cells {:>13}\n", r.cycles, r.displacement,
                                 r.folded_before);
         }
+        text += orthogonality_line(r, verbose);
         if (!verbose) continue;
         if (!s.flat_at.empty()) {
             text += fmt::format("  sides meet flat at {}\n", fmt::join(s.flat_at, ", "));

@@ -111,6 +111,7 @@ struct FaceEntry {
     Name name;
     std::variant<std::array<std::vector<SignedName>, 4>, std::array<Name, 4>> shape;
     MethodEntry how;
+    std::array<bool, 4> orthogonal{};  ///< by side: grid lines meet it at right angles
 };
 
 /// A face as a block's side; `axes`, when given, are the side's two axes in the face's own (signed,

@@ -194,6 +194,7 @@ void place_corners(Draft& draft) {
         face.face.name = entry.name.value;
         face.face.place = entry.name.place;
         face.face.solve = solve_request(draft.c, entry.how);
+        face.face.orthogonal = entry.orthogonal;
         face.entry = &entry;
         if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
             join_corner_face(draft, face, *corners);

@@ -89,21 +89,62 @@ void refuse_surface(Reading& reading, const YamlNode& node) {
                               "only 'surface: minimal' is there yet");
 }
 
+/// Marks the side that one name of 'orthogonal' means, or tells why it means none.
+void mark_orthogonal(Reading& reading, const YamlNode& name, const Keys& sides,
+                     std::array<bool, 4>& marked) {
+    const auto choice = read_choice(reading, name, "a side of 'orthogonal'", sides);
+    if (!choice) return;
+    if (marked.at(*choice)) {
+        reading.diagnostics.error(
+            name.place, fmt::format("'orthogonal' names {} twice", sides[*choice]), "name it once");
+    }
+    marked.at(*choice) = true;
+}
+
+/// `[jmin, imax]`, one side, or `all`: the sides that grid lines are to meet at right angles.
+std::array<bool, 4> read_orthogonal(Reading& reading, const YamlNode& face, Method method) {
+    std::array<bool, 4> marked{};
+    const YamlNode* node = find(reading, face, "orthogonal");
+    if (node == nullptr) return marked;
+    if (method == Method::algebraic) {
+        reading.diagnostics.error(node->key_place,
+                                  "'orthogonal' is for elliptic faces, and this one is algebraic",
+                                  "remove 'orthogonal' or 'method: algebraic'");
+    }
+    const Keys sides = keys_of_sides(4);
+    if (node->is_sequence()) {
+        if (node->children.empty()) {
+            reading.diagnostics.error(node->place, "'orthogonal' names no side",
+                                      "name sides of the face, or remove the key");
+        }
+        for (const YamlNode& name : node->children) mark_orthogonal(reading, name, sides, marked);
+        return marked;
+    }
+    Keys choices = sides;
+    choices.emplace_back("all");
+    const auto choice = read_choice(reading, *node, "'orthogonal'", choices);
+    if (!choice) return marked;
+    if (*choice == sides.size()) {
+        marked.fill(true);
+    } else {
+        marked.at(*choice) = true;
+    }
+    return marked;
+}
+
 FaceEntry read_face(Reading& reading, const YamlNode& node) {
     const std::string what = fmt::format("face '{}'", shown(node.key));
     const Keys sides = keys_of_sides(4);
     std::array<std::vector<SignedName>, 4> edges;
     edges.fill({SignedName{{}, false, false, node.key_place}});
-    FaceEntry face{{node.key, node.key_place}, edges, {}};
+    FaceEntry face{{node.key, node.key_place}, edges, {}, {}};
 
     Keys keys = sides;
-    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "surface"});
-    if (!expect_mapping(reading, node, what, keys,
-                        {{"orthogonal", "orthogonality at boundaries is not in this version yet",
-                          "remove the key 'orthogonal'"}})) {
-        return face;
-    }
+    keys.insert(keys.end(),
+                {"corners", "method", "tolerance", "flat_edge_exponent", "surface", "orthogonal"});
+    if (!expect_mapping(reading, node, what, keys)) return face;
     face.how = read_method(reading, node);
+    face.orthogonal = read_orthogonal(reading, node, face.how.method);
     refuse_surface(reading, node);
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return face;

@@ -89,6 +89,7 @@ struct Face {
     int cells_i = 1;
     int cells_j = 1;
     SolveRequest solve;
+    std::array<bool, 4> orthogonal{};  ///< by side: grid lines meet it at right angles
     std::optional<AxisPlane>
         plane;  ///< the symmetry plane it lies on: its points are exactly there
     bool made = false;

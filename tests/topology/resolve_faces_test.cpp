@@ -323,3 +323,19 @@ faces:
   hint: list its corners the other way round: [b, c, d, a]
 )");
 }
+
+TEST_CASE("The sides that a face asks to be orthogonal are marked, however the face is given") {
+    const Topology t = resolved(R"(
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1], e: [2, 0], f: [2, 1], g: [3, 0], h: [3, 1]}
+edges: {ab: {from: a, to: b, cells: 4}, bc: {from: b, to: c, cells: 4}, dc: {from: d, to: c},
+        ad: {from: a, to: d}, be: {from: b, to: e, cells: 3}, eg: {from: e, to: g, cells: 5}}
+faces:
+  sides: {imin: ad, imax: bc, jmin: ab, jmax: dc, orthogonal: [jmin, imax]}
+  corners: {corners: [b, e, f, c], orthogonal: all}
+  neither: {corners: [e, g, h, f]}
+)");
+    REQUIRE(t.faces.size() == 3);
+    CHECK(t.faces[0].orthogonal == std::array{false, true, true, false});
+    CHECK(t.faces[1].orthogonal == std::array{true, true, true, true});
+    CHECK(t.faces[2].orthogonal == std::array{false, false, false, false});
+}
