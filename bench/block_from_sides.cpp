@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "blocks/bilinear_map.h"
+#include "blocks/block_boundary.h"
+#include "blocks/flat_edges.h"
 #include "blocks/transfinite_block.h"
 #include "faces/straight_line_map.h"
 #include "faces/transfinite_face.h"
@@ -13,6 +15,57 @@ namespace hexweave::bench {
 namespace {
 
 constexpr EllipticOptions side_options{1e-8, 400};
+
+/// The six sides of a block as faces of their own, turned in no way.
+std::vector<FaceGrid> side_faces(const PointField& block) {
+    std::vector<FaceGrid> faces;
+    for (const Side side : all_sides) {
+        const auto [a_axis, b_axis] = tangential_axes(side);
+        FaceGrid face;
+        face.points = PointField(Extent{block.extent()[a_axis], block.extent()[b_axis], 1});
+        for (int b = 0; b < face.points.extent().nj; ++b) {
+            for (int a = 0; a < face.points.extent().ni; ++a) {
+                const Node n = side_node(side, a, b, block.extent());
+                face.points.set(a, b, 0, block(n[0], n[1], n[2]));
+            }
+        }
+        faces.push_back(std::move(face));
+    }
+    return faces;
+}
+
+/// Which of the four edges along `axis` it is, at these ends of the other two axes.
+std::size_t edge_number(int axis, int other, bool other_max, bool third_max) {
+    const bool other_is_lower = other < 3 - axis - other;
+    return other_is_lower ? (other_max ? 1U : 0U) + (third_max ? 2U : 0U)
+                          : (third_max ? 1U : 0U) + (other_max ? 2U : 0U);
+}
+
+/// The exponent at the ends of all edges that lie in a flat one.
+PerBlockEdge<EndExponents> edge_exponents(const PointField& boundary, double exponent) {
+    PerBlockEdge<EndExponents> exponents{};
+    if (exponent == 1) return exponents;
+    Block block;
+    block.extent = boundary.extent();
+    for (std::size_t side = 0; side < 6; ++side) block.sides[side].face = static_cast<int>(side);
+    const PerBlockEdge<bool> flat = flat_edges(block, side_faces(boundary));
+    for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t number = 0; number < 4; ++number) {
+            if (!flat[static_cast<std::size_t>(axis)][number]) continue;
+            const std::array<int, 2> across{axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
+            const std::array<bool, 2> max{number % 2 == 1, number / 2 == 1};
+            for (std::size_t leg = 0; leg < 2; ++leg) {
+                for (const bool station : {false, true}) {
+                    const std::size_t ending =
+                        edge_number(across[leg], axis, station, max[1 - leg]);
+                    EndExponents& ends = exponents[static_cast<std::size_t>(across[leg])][ending];
+                    (max[leg] ? ends.end : ends.start) = exponent;
+                }
+            }
+        }
+    }
+    return exponents;
+}
 
 }  // namespace
 
@@ -89,13 +142,14 @@ PointField block_between(const PointField& kmin, const PointField& kmax,
     return block;
 }
 
-Problem start_grid(const std::string& name, PointField boundary) {
+Problem start_grid(const std::string& name, PointField boundary, double flat_edge_exponent) {
     Problem problem{name, std::move(boundary), {}};
     if (problem.points.extent().nk == 1) {
         problem.parameters = straight_line_map(problem.points);
         interpolate_face(problem.points, problem.parameters);
     } else {
-        problem.parameters = bilinear_map(problem.points);
+        problem.parameters =
+            bilinear_map(problem.points, edge_exponents(problem.points, flat_edge_exponent));
         interpolate_block(problem.points, problem.parameters);
     }
     return problem;

@@ -2,11 +2,12 @@
 // Blocks from edges and faces: what the pipeline does with a file, for shapes given by formulas.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "bench/problems.h"
-#include "core/orientation.h"
 
 namespace hexweave::bench {
 
@@ -31,7 +32,8 @@ std::vector<Vec3> column(const PointField& face, int i);
 PointField block_between(const PointField& kmin, const PointField& kmax,
                          const std::array<std::vector<Vec3>, 4>& rays, bool& sound);
 
-/// Parameters from the boundary points, and the interior by transfinite interpolation.
-Problem start_grid(const std::string& name, PointField boundary);
+/// Parameters from the boundary points, and the interior by transfinite interpolation. In a block,
+/// edge functions take the exponent at ends where two sides meet flat, as the program finds them.
+Problem start_grid(const std::string& name, PointField boundary, double flat_edge_exponent = 1);
 
 }  // namespace hexweave::bench

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/block_from_sides.h"
+#include "bench/shapes.h"
 #include "faces/folded_start.h"
 #include "geometry/stretching.h"
 
@@ -15,17 +16,6 @@ namespace hexweave::bench {
 namespace {
 
 using std::numbers::pi;
-
-/// Thickness of NACA 0012 with a closed trailing edge at x, unit chord.
-double thickness(double x) {
-    return 0.6 *
-           (0.2969 * std::sqrt(x) + x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * -0.1036))));
-}
-
-/// From the trailing to the leading edge.
-double chord_fraction(double u) {
-    return u == 1 ? 0 : (1 + std::cos(pi * u)) / 2;
-}
 
 /// The half turn that the far field makes; its ends lie on the axis exactly.
 Vec3 half_turn(double u) {
@@ -59,7 +49,7 @@ PointField face_between(const std::vector<Vec3>& jmin, const std::vector<Vec3>& 
 PointField airfoil_boundary(const Extent& extent, double first_cell) {
     const auto wall = sampled_line(extent.ni, [](double u) {
         const double x = chord_fraction(u);
-        return Vec3{x, u == 0 ? 0 : -thickness(x), 0};
+        return Vec3{x, u == 0 ? 0 : -half_thickness(x), 0};
     });
     const auto far = sampled_line(extent.ni, [](double u) {
         const Vec3 turn = half_turn(u);
@@ -128,7 +118,7 @@ double leading_edge(double y) {
 /// The wing at chord fraction `x` and span station `y`, its thickness times `blunting`.
 Vec3 wing_point(double u, double y, double blunting) {
     const double x = chord_fraction(u);
-    const double z = u == 0 ? 0 : chord(y) * thickness(x) * blunting;
+    const double z = u == 0 ? 0 : chord(y) * half_thickness(x) * blunting;
     return {leading_edge(y) + chord(y) * x, -y, z};
 }
 
@@ -159,33 +149,14 @@ double tip_blunting(double y) {
     return std::sqrt(std::max(0.0, 1 - q * q));
 }
 
-/// The quarter of the unit sphere y <= 0 <= z by circles: the first is the half circle in y = 0,
-/// the last lies in z = 0, and the ends of all lie in z = 0, each a quarter of its half circle.
-Vec3 quarter_sphere(double u, double v) {
-    const double end = pi / 4 * v;
-    const double crest = pi / 2 * v;
-    // In the plane of the circle, x and the distance from its ends' plane along `across`.
-    const double along_y = std::sin(crest) - std::sin(end);
-    const double along_z = v == 1 ? 0 : std::cos(crest);
-    const double height = std::hypot(along_y, along_z);
-    const double half_width = std::cos(end);
-    const double centre = (height * height - half_width * half_width) / (2 * height);
-    const double radius = height - centre;
-    const double first = std::atan2(-centre, half_width);
-    const double angle = first + u * (pi - 2 * first);
-    const bool at_end = u == 0 || u == 1;
-    const double x = at_end ? (u == 0 ? half_width : -half_width) : radius * std::cos(angle);
-    const double rise = at_end ? 0 : (centre + radius * std::sin(angle)) / height;
-    return {x, -(std::sin(end) + rise * along_y), rise * along_z};
-}
-
 PointField rounded_tip_boundary(const Extent& extent, double first_cell, bool& sound) {
     const PointField wall = sampled_face(extent.ni, extent.nj, [](double u, double v) {
         const double y = v == 1 ? semispan : semispan * std::sin(pi / 2 * v);
         return wing_point(u, y, v == 1 ? 0 : tip_blunting(y));
     });
     const PointField far = sampled_face(extent.ni, extent.nj, [](double u, double v) {
-        return 10 * quarter_sphere(u, v) + Vec3{0.5, 0, 0};
+        const Vec3 p = 10 * quarter_sphere(u, v);
+        return Vec3{0.5 + p.x, -p.y, p.z};
     });
     return block_between(wall, far, corner_rays(wall, far, extent.nk, first_cell), sound);
 }
@@ -244,14 +215,6 @@ std::optional<double> meander_angle(const std::string& name) {
 
 }  // namespace
 
-std::vector<Vec3> geometric_line(const Vec3& a, const Vec3& b, int points, double first) {
-    std::vector<Vec3> line;
-    for (const double f : geometric_fractions(points - 1, first / distance(a, b), std::nullopt)) {
-        line.push_back(lerp(a, b, f));
-    }
-    return line;
-}
-
 bool is_block(const std::string& name) {
     return name == "W" || name == "OO" || name == "C";
 }
@@ -270,7 +233,7 @@ std::optional<Problem> make_problem(const std::string& name, const Extent& exten
     if (name == "OO") boundary = rounded_tip_boundary(extent, wall, sound);
     if (name == "C") boundary = wavy_cube_boundary(extent);
     if (!sound || boundary.extent() != extent) return std::nullopt;
-    Problem problem = start_grid(name, std::move(boundary));
+    Problem problem = start_grid(name, std::move(boundary), options.flat_edge_exponent);
     if (options.start == Start::folded) {
         if (name == "C") {
             perturb(problem);

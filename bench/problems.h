@@ -26,7 +26,8 @@ enum class Start {
 
 struct ProblemOptions {
     Start start = Start::transfinite;
-    double first_cell = 0;  ///< at the wall, in the problem's own unit; 0: its standard one
+    double first_cell = 0;          ///< at the wall, in the problem's own unit; 0: its standard one
+    double flat_edge_exponent = 1;  ///< of edge functions where two sides of a block meet flat
 };
 
 /// By name:
@@ -45,10 +46,6 @@ struct ProblemOptions {
 /// not suit it, or a side face does not converge.
 std::optional<Problem> make_problem(const std::string& name, const Extent& extent,
                                     const ProblemOptions& options = {});
-
-/// Points of the straight line from a to b whose first interval is `first` long and which grow
-/// geometrically from there.
-std::vector<Vec3> geometric_line(const Vec3& a, const Vec3& b, int points, double first);
 
 /// Whether the name is of a problem in three dimensions.
 bool is_block(const std::string& name);

@@ -205,8 +205,8 @@ Json folds_json(const Comparison& all) {
 }  // namespace
 
 std::string report_text(const Comparison& all) {
-    std::string text =
-        fmt::format("{}; {}\none core unless said\n", processor_name(), build_description());
+    std::string text = fmt::format("{}; {}\none core, processor time, unless said\n",
+                                   processor_name(), build_description());
     if (!all.cases.empty()) text += "\n" + runs_table(all);
     if (all.cases.size() > 1) text += "\n" + ratios_table(all);
     if (!all.cycle_counts.empty()) text += "\n" + cycles_table(all);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bench/measures.h"
+#include "bench/pipeline.h"
 #include "bench/problems.h"
 #include "core/parallel.h"
 
@@ -29,6 +30,8 @@ void add_arguments(CLI::App& app, Arguments& a) {
     app.add_option("--cycles", a.options.maximum_cycles, "at most so many");
     app.add_option("--tolerance", a.options.tolerance, "in cells");
     app.add_option("--first-cell", a.problem_options.first_cell, "at the wall");
+    app.add_option("--exponent", a.problem_options.flat_edge_exponent,
+                   "of edge functions where two sides of a block meet flat");
     app.add_option("--threads", a.threads);
     app.add_flag("--folded", a.folded, "from a start grid folded on purpose");
 }
@@ -44,7 +47,7 @@ int solve(const Arguments& a) {
     fmt::print("{} {} x {} x {}: {} points, folded at the start {}\n", a.problem, a.extent.ni,
                a.extent.nj, a.extent.nk, points, bench::grid_quality(problem->points).folded);
     const auto begin = std::chrono::steady_clock::now();
-    const SolveResult result = solve_elliptic(problem->points, problem->parameters, a.options);
+    const SolveResult result = bench::finish(*problem, a.options);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (std::size_t n = 0; n < result.history.size(); ++n) {

@@ -15,6 +15,10 @@ namespace hexweave::bench {
 inline constexpr double coarse_error = 1e-2;
 inline constexpr double fine_error = 1e-4;
 
+/// Single-core runs are timed by the processor time of this process: it does not count what others
+/// take of the core.
+enum class Clock { processor, wall };
+
 struct Timing {
     double seconds = 0;
     int cycles = 0;
@@ -50,7 +54,7 @@ MethodRun time_own_solver(const Problem& problem, const PointField& reference, i
 std::optional<int> cycles_to(const Problem& problem, const PointField& reference, double goal);
 
 /// Seconds of one run of hexweave's solver with exactly so many cycles (fewer where it is done).
-double time_cycles(const Problem& problem, int cycles);
+double time_cycles(const Problem& problem, int cycles, Clock clock = Clock::processor);
 double median(std::vector<double> values);
 
 /// The grid that errors are measured against, and how far it was verified.
