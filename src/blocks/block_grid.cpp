@@ -27,6 +27,7 @@ BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces,
         grid.solve = solve_elliptic(grid.points, parameters,
                                     {block.solve.tolerance, block.solve.maximum_cycles});
     }
+    grid.heights = hold_heights(grid.points, block.solve.heights);
     return grid;
 }
 

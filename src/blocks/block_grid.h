@@ -9,6 +9,7 @@
 #include "core/field.h"
 #include "elliptic/solve_result.h"
 #include "faces/face_grid.h"
+#include "faces/held_side.h"
 #include "topology/topology.h"
 
 namespace hexweave {
@@ -17,6 +18,7 @@ namespace hexweave {
 struct BlockGrid {
     PointField points;
     SolveResult solve;
+    std::vector<HeldSide> heights;        ///< of the sides at which heights are held
     std::vector<std::string> flat_edges;  ///< edges where two of its sides meet flat
 };
 

@@ -40,6 +40,7 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
                             orthogonal_passes(sides, grid.flat_corners), options, grid.solve);
         }
     }
+    grid.heights = hold_heights(grid.points, face.solve.heights);
     if (planar) set_plane(grid.points, {2, 0.0});
     if (face.plane) set_plane(grid.points, *face.plane);
     return grid;

@@ -9,6 +9,7 @@
 #include "core/field.h"
 #include "edges/edge_grid.h"
 #include "elliptic/solve_result.h"
+#include "faces/held_side.h"
 #include "topology/topology.h"
 
 namespace hexweave {
@@ -18,6 +19,7 @@ namespace hexweave {
 struct FaceGrid {
     PointField points;
     SolveResult solve;
+    std::vector<HeldSide> heights;       ///< of the sides at which heights are held
     std::array<bool, 4> flat_corners{};  ///< where two of its sides meet flat, as Face::corners
 };
 

@@ -48,6 +48,21 @@ Json orthogonality(const Orthogonality& o) {
             {"end", orthogonality_end_name(o.end)}};
 }
 
+template <class T, class Convert>
+Json list(const std::vector<T>& items, Convert convert) {
+    Json array = Json::array();
+    for (const T& item : items) array.push_back(convert(item));
+    return array;
+}
+
+Json held_heights(const HeightMeasure& h) {
+    return {{"side", side_name(h.side)},
+            {"asked", {number(h.least_asked), number(h.greatest_asked)}},
+            {"least", number(h.least)},
+            {"median", number(h.median)},
+            {"greatest", number(h.greatest)}};
+}
+
 Json solve(const SolveMeasure& s) {
     Json history = Json::array();
     for (const double step : s.result.history) history.push_back(number(step));
@@ -63,7 +78,8 @@ Json solve(const SolveMeasure& s) {
             {"folded_after", s.result.folded_after},
             {"flat_at", s.flat_at},
             {"orthogonality",
-             s.result.orthogonality ? orthogonality(*s.result.orthogonality) : Json(nullptr)}};
+             s.result.orthogonality ? orthogonality(*s.result.orthogonality) : Json(nullptr)},
+            {"heights", list(s.heights, held_heights)}};
 }
 
 Json zone(const ZoneMeasure& z) {
@@ -85,13 +101,6 @@ Json spacing(const SpacingMeasure& s) {
             {"first_got", number(s.got_start)},
             {"last_asked", number(s.asked_end)},
             {"last_got", number(s.got_end)}};
-}
-
-template <class T, class Convert>
-Json list(const std::vector<T>& items, Convert convert) {
-    Json array = Json::array();
-    for (const T& item : items) array.push_back(convert(item));
-    return array;
 }
 
 Json report_json(const Report& r) {

@@ -103,6 +103,29 @@ std::string solve_table(const Report& report, bool verbose) {
     return text;
 }
 
+/// The sides at which heights are held; empty where there are none.
+std::string height_table(const Report& report) {
+    std::size_t width = 12;
+    const auto name_of = [](const SolveMeasure& s, const HeightMeasure& h) {
+        return fmt::format("{} {} {}", s.is_block ? "block" : "face", s.name, side_name(h.side));
+    };
+    for (const SolveMeasure& s : report.solves) {
+        for (const HeightMeasure& h : s.heights) width = std::max(width, name_of(s, h).size());
+    }
+    std::string rows;
+    for (const SolveMeasure& s : report.solves) {
+        for (const HeightMeasure& h : s.heights) {
+            rows += fmt::format("{:<{}}  {:>12.6g} {:>12.6g} | {:>9.4f} {:>9.4f} {:>9.4f}\n",
+                                name_of(s, h), width, h.least_asked, h.greatest_asked, h.least,
+                                h.median, h.greatest);
+        }
+    }
+    if (rows.empty()) return {};
+    return fmt::format("{:<{}}  {:>12} {:>12} | {:>9} {:>9} {:>9}\n", "heights held", width,
+                       "least asked", "greatest", "got/asked", "median", "greatest") +
+           rows + "\n";
+}
+
 std::string node_text(const ZoneMeasure& z) {
     if (z.extent.nk == 1) return fmt::format("({}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1);
     return fmt::format("({}, {}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1,
@@ -172,7 +195,7 @@ std::vector<std::string> faults(const Report& report) {
 std::string to_text(const Report& report, bool verbose) {
     std::string text = spacing_table(report);
     text += "\n" + solve_table(report, verbose);
-    text += "\n" + zone_table(report);
+    text += "\n" + height_table(report) + zone_table(report);
     text += "\n" + stage_line(report);
     return text;
 }

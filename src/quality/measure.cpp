@@ -173,6 +173,20 @@ std::vector<SpacingMeasure> measure_spacings(const Topology& topology,
     return rows;
 }
 
+std::vector<HeightMeasure> measure_heights(const PointField& points,
+                                           const std::vector<HeldSide>& sides) {
+    std::vector<HeightMeasure> rows;
+    for (const HeldSide& held : sides) {
+        const std::vector<double> ratios = height_ratios(points, held);
+        const double* const asked = held.asked.data();
+        const auto [least, greatest] =
+            std::minmax_element(asked, asked + held.asked.extent().nodes());
+        rows.push_back({held.side, *least, *greatest, ratios.front(), ratios[ratios.size() / 2],
+                        ratios.back()});
+    }
+    return rows;
+}
+
 }  // namespace
 
 ZoneMeasure measure_zone(const Zone& zone, int physical_dimension) {
@@ -207,7 +221,12 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
     report.spacings = measure_spacings(topology, edges);
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Face& face = topology.faces[f];
-        report.solves.push_back({face.name, false, face.extent(), faces[f].solve, {}});
+        report.solves.push_back({face.name,
+                                 false,
+                                 face.extent(),
+                                 faces[f].solve,
+                                 {},
+                                 measure_heights(faces[f].points, faces[f].heights)});
         for (std::size_t corner = 0; corner < 4; ++corner) {
             if (!faces[f].flat_corners[corner]) continue;
             const auto vertex = static_cast<std::size_t>(face.corners[corner]);
@@ -216,7 +235,8 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
     }
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         report.solves.push_back({topology.blocks[b].name, true, topology.blocks[b].extent,
-                                 blocks[b].solve, blocks[b].flat_edges});
+                                 blocks[b].solve, blocks[b].flat_edges,
+                                 measure_heights(blocks[b].points, blocks[b].heights)});
     }
     return report;
 }

@@ -24,6 +24,16 @@ struct SpacingMeasure {
     double got_end = 0;
 };
 
+/// First heights held at one side of a face or block, over those asked; at all of its nodes.
+struct HeightMeasure {
+    Side side = Side::jmin;
+    double least_asked = 0;
+    double greatest_asked = 0;
+    double least = 0;  ///< got over asked
+    double median = 0;
+    double greatest = 0;
+};
+
 /// A solve of one face or block.
 struct SolveMeasure {
     std::string name;
@@ -32,6 +42,7 @@ struct SolveMeasure {
     SolveResult result;
     /// Vertices of a face, edges of a block, where two of its sides meet flat.
     std::vector<std::string> flat_at;
+    std::vector<HeightMeasure> heights{};
 };
 
 /// The cells of one zone, measured anew from its points.

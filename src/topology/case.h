@@ -98,11 +98,20 @@ struct EdgeEntry {
 
 enum class Method { elliptic, algebraic };
 
+/// First heights held at a side of a face or block.
+struct HeldHeights {
+    std::optional<double> height;  ///< from the edges that leave the side where absent
+    double fade = 0.03;            ///< of the side's length: how far from it points are moved
+    double growth = 1.3;           ///< ratio of neighbouring cells that may not be exceeded for it
+};
+using HeightRequests = std::array<std::optional<HeldHeights>, 6>;  ///< indexed by Side
+
 /// How a face or block is to be made.
 struct MethodEntry {
     Method method = Method::elliptic;
     std::optional<double> tolerance;  ///< displacement in cells; the global one where absent
     std::optional<double> flat_edge_exponent;  ///< the global one where absent
+    HeightRequests heights{};
 };
 
 /// Four sides (imin, imax, jmin, jmax), each an edge or several in a row; or four corner vertices

@@ -181,9 +181,12 @@ std::optional<FrameSides> sides_between(Draft& draft, const std::array<int, 4>& 
 SolveRequest solve_request(const Case& c, const MethodEntry& how) {
     // In two dimensions it would trade first heights at the wall for angles.
     const double exponent_unsaid = c.blocks.empty() ? 1.0 : 0.7;
-    return {how.method, how.tolerance.value_or(c.solver.tolerance), c.solver.maximum_cycles,
+    return {how.method,
+            how.tolerance.value_or(c.solver.tolerance),
+            c.solver.maximum_cycles,
             c.solver.start_folded,
-            how.flat_edge_exponent.value_or(c.solver.flat_edge_exponent.value_or(exponent_unsaid))};
+            how.flat_edge_exponent.value_or(c.solver.flat_edge_exponent.value_or(exponent_unsaid)),
+            how.heights};
 }
 
 void place_corners(Draft& draft) {

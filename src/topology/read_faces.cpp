@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "topology/read_entries.h"
+#include "topology/read_heights.h"
 
 namespace hexweave {
 
@@ -22,7 +23,7 @@ Keys keys_of_sides(int count) {
     return keys;
 }
 
-MethodEntry read_method(Reading& reading, const YamlNode& node) {
+MethodEntry read_method(Reading& reading, const YamlNode& node, const Keys& sides) {
     MethodEntry how;
     if (const YamlNode* method = find(reading, node, "method")) {
         const auto choice = read_choice(reading, *method, "'method'", {"elliptic", "algebraic"});
@@ -32,6 +33,7 @@ MethodEntry read_method(Reading& reading, const YamlNode& node) {
         how.tolerance = read_positive(reading, *tolerance, "'tolerance'");
     }
     how.flat_edge_exponent = read_flat_edge_exponent(reading, node);
+    how.heights = read_heights(reading, node, sides);
     return how;
 }
 
@@ -140,10 +142,10 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
     FaceEntry face{{node.key, node.key_place}, edges, {}, {}};
 
     Keys keys = sides;
-    keys.insert(keys.end(),
-                {"corners", "method", "tolerance", "flat_edge_exponent", "surface", "orthogonal"});
+    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "heights",
+                             "surface", "orthogonal"});
     if (!expect_mapping(reading, node, what, keys)) return face;
-    face.how = read_method(reading, node);
+    face.how = read_method(reading, node, sides);
     face.orthogonal = read_orthogonal(reading, node, face.how.method);
     refuse_surface(reading, node);
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
@@ -208,9 +210,9 @@ BlockEntry read_block(Reading& reading, const YamlNode& node) {
     BlockEntry block{{node.key, node.key_place}, faces, {}};
 
     Keys keys = sides;
-    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent"});
+    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "heights"});
     if (!expect_mapping(reading, node, what, keys)) return block;
-    block.how = read_method(reading, node);
+    block.how = read_method(reading, node, sides);
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return block;
     if (*corners) {

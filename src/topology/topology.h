@@ -79,6 +79,7 @@ struct SolveRequest {
     bool start_folded = false;
     /// Of edge functions at an end where two sides meet flat; 1 is the arc length.
     double flat_edge_exponent = 1;
+    HeightRequests heights{};
 };
 
 struct Face {

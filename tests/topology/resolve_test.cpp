@@ -218,6 +218,26 @@ TEST_CASE("A pipe of five blocks by corners makes the edges and faces that are n
     CHECK(t.boundaries[0].sides.size() == 4);
 }
 
+TEST_CASE("Heights to be held are known at their sides") {
+    std::string text = naca;
+    text.replace(
+        text.find("  below: {"), 10,
+        "  below: {heights: {jmin: held, imax: {height: 2 * wall, fade: 1/4, growth: 1.5}}, ");
+    const Topology t = resolved(text);
+    for (const auto& none : t.faces[0].solve.heights) CHECK_FALSE(none);
+    const HeightRequests& heights = t.faces[1].solve.heights;
+    REQUIRE(heights[2]);
+    CHECK_FALSE(heights[2]->height);
+    CHECK(heights[2]->fade == 0.03);
+    CHECK(heights[2]->growth == 1.3);
+    REQUIRE(heights[1]);
+    CHECK(heights[1]->height == 2e-3);
+    CHECK(heights[1]->fade == 0.25);
+    CHECK(heights[1]->growth == 1.5);
+    CHECK_FALSE(heights[0]);
+    CHECK_FALSE(heights[3]);
+}
+
 TEST_CASE("The exponent at flat edges is 0.7 in blocks and their faces, 1 in grids of faces") {
     const auto exponents = [](const std::string& more) {
         const Topology t = resolved(naca + more);

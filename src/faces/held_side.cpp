@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/held_side.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/parallel.h"
+#include "elliptic/fold_count.h"
+#include "faces/wall_heights.h"
+
+namespace hexweave {
+
+namespace {
+
+/// A side seen from the wall: nodes (a, b) over its own two axes, and n steps inwards.
+struct WallFrame {
+    Extent extent;
+    Side side;
+    std::array<int, 2> axes;
+    int count_a;
+    int count_b;
+
+    WallFrame(const Extent& e, Side s)
+        : extent(e), side(s), axes(tangential_axes(s)), count_a(e[axes[0]]), count_b(e[axes[1]]) {}
+
+    int depth() const { return extent[axis_of(side)]; }
+    Extent nodes() const { return {count_a, count_b, 1}; }
+    /// A face has no second axis along its sides.
+    bool is_line() const { return count_b == 1; }
+    bool fixed(int a, int b) const {
+        return a == 0 || a == count_a - 1 || (!is_line() && (b == 0 || b == count_b - 1));
+    }
+    std::size_t offset(int a, int b, int n) const {
+        Node node{};
+        node[static_cast<std::size_t>(axes[0])] = a;
+        node[static_cast<std::size_t>(axes[1])] = b;
+        node[static_cast<std::size_t>(axis_of(side))] = is_max(side) ? depth() - 1 - n : n;
+        return extent.offset(node[0], node[1], node[2]);
+    }
+};
+
+double height_at(const PointField& points, const WallFrame& wall, int a, int b) {
+    return distance(points[wall.offset(a, b, 0)], points[wall.offset(a, b, 1)]);
+}
+
+/// Distances along the wall's own grid lines, from the end at index 0, node by node.
+struct WallLengths {
+    Field along_a;
+    Field along_b;
+    double shorter = 0;  ///< the lesser of the mean lengths of the lines along a and along b
+
+    WallLengths(const PointField& points, const WallFrame& wall)
+        : along_a(wall.nodes()), along_b(wall.nodes()) {
+        double sum_a = 0;
+        double sum_b = 0;
+        for (int b = 0; b < wall.count_b; ++b) {
+            for (int a = 0; a < wall.count_a; ++a) {
+                const Vec3 here = points[wall.offset(a, b, 0)];
+                if (a > 0) {
+                    along_a(a, b) =
+                        along_a(a - 1, b) + distance(points[wall.offset(a - 1, b, 0)], here);
+                }
+                if (b > 0) {
+                    along_b(a, b) =
+                        along_b(a, b - 1) + distance(points[wall.offset(a, b - 1, 0)], here);
+                }
+            }
+            sum_a += along_a(wall.count_a - 1, b);
+        }
+        for (int a = 0; a < wall.count_a; ++a) sum_b += along_b(a, wall.count_b - 1);
+        const double mean_a = sum_a / wall.count_b;
+        const double mean_b = sum_b / wall.count_a;
+        shorter = wall.is_line() ? mean_a : std::min(mean_a, mean_b);
+    }
+};
+
+/// 1 at a neighbouring side, 0 from `fade` away from it.
+double nearness(double distance, double fade) {
+    const double x = std::min(distance / fade, 1.0);
+    return 1 - x * x * (3 - 2 * x);
+}
+
+/// The heights to aim at: as asked, but as they are on the neighbouring sides, which are fixed, and
+/// from the one to the other within the fade distance: a Boolean sum of the logarithms.
+Field targets(const PointField& points, const WallFrame& wall, const WallLengths& lengths,
+              const Field& asked, double fade) {
+    const int last_a = wall.count_a - 1;
+    const int last_b = wall.count_b - 1;
+    const auto excess = [&](int a, int b) {
+        return std::log(height_at(points, wall, a, b) / asked(a, b));
+    };
+    Field result(wall.nodes());
+    for (int b = 0; b < wall.count_b; ++b) {
+        for (int a = 0; a < wall.count_a; ++a) {
+            const std::array<double, 2> near_a{
+                nearness(lengths.along_a(a, b), fade),
+                nearness(lengths.along_a(last_a, b) - lengths.along_a(a, b), fade)};
+            double sum = near_a[0] * excess(0, b) + near_a[1] * excess(last_a, b);
+            if (!wall.is_line()) {
+                const std::array<double, 2> near_b{
+                    nearness(lengths.along_b(a, b), fade),
+                    nearness(lengths.along_b(a, last_b) - lengths.along_b(a, b), fade)};
+                for (std::size_t end_b = 0; end_b < 2; ++end_b) {
+                    const int at_b = end_b == 0 ? 0 : last_b;
+                    sum += near_b[end_b] * (excess(a, at_b) - near_a[0] * excess(0, at_b) -
+                                            near_a[1] * excess(last_a, at_b));
+                }
+            }
+            result(a, b) = asked(a, b) * std::exp(sum);
+        }
+    }
+    return result;
+}
+
+/// A line off the wall as the solve left it, as far as it may move and two points on.
+struct MovableLine {
+    int a = 0;
+    int b = 0;
+    std::vector<Vec3> points;
+    std::vector<double> distances;
+    double fade = 0;
+    double log_factor = 0;
+    double part = 0;  ///< of log_factor that is applied
+};
+
+MovableLine movable_line(const PointField& points, const WallFrame& wall, int a, int b,
+                         double target, double asked_fade, double growth) {
+    MovableLine line{a, b, {}, {}, 0, 0, 0};
+    line.points.reserve(static_cast<std::size_t>(wall.depth()));
+    for (int n = 0; n < wall.depth(); ++n) line.points.push_back(points[wall.offset(a, b, n)]);
+    line.distances = distances_along(line.points);
+    line.fade = fade_on_line(asked_fade, line.distances.back());
+    const auto beyond = std::lower_bound(line.distances.begin(), line.distances.end(), line.fade);
+    const auto kept = std::min<std::size_t>(
+        line.points.size(), static_cast<std::size_t>(beyond - line.distances.begin()) + 2);
+    line.points.resize(kept);
+    line.points.shrink_to_fit();
+    line.distances.resize(kept);
+    line.log_factor = std::log(target / line.distances[1]);
+    line.part = feasible_part(line.distances, line.log_factor, line.fade, growth);
+    return line;
+}
+
+void move_line(PointField& points, const WallFrame& wall, const MovableLine& line) {
+    const double log_factor = line.part * line.log_factor;
+    std::vector<double> wanted = scaled_distances(line.distances, log_factor, line.fade);
+    const auto beyond = std::lower_bound(line.distances.begin(), line.distances.end(), line.fade);
+    const auto moved = static_cast<std::size_t>(beyond - line.distances.begin());
+    wanted.resize(moved);
+    const std::vector<Vec3> at =
+        line.part == 0 ? line.points : points_at(line.points, line.distances, wanted);
+    for (std::size_t n = 1; n < moved; ++n) {
+        points.set(wall.offset(line.a, line.b, static_cast<int>(n)), at[n]);
+    }
+}
+
+/// Takes back the lines at cells that are folded now and were not `before`: half of their way, and
+/// after some rounds all of it.
+void take_back_folds(PointField& points, const WallFrame& wall, std::vector<MovableLine>& lines,
+                     const std::set<Node>& before) {
+    constexpr int halvings = 6;
+    for (int round = 0;; ++round) {
+        std::set<std::array<int, 2>> at_fold;
+        for (const FoldedCell& folded : folded_cells(points)) {
+            if (before.count(folded.cell) > 0) continue;
+            const int a = folded.cell[static_cast<std::size_t>(wall.axes[0])];
+            const int b = folded.cell[static_cast<std::size_t>(wall.axes[1])];
+            for (const int i : {a, a + 1}) {
+                for (const int j : {b, b + 1}) at_fold.insert({i, j});
+            }
+        }
+        bool changed = false;
+        for (MovableLine& line : lines) {
+            if (line.part == 0 || at_fold.count({line.a, line.b}) == 0) continue;
+            line.part = round < halvings ? 0.5 * line.part : 0;
+            move_line(points, wall, line);
+            changed = true;
+        }
+        if (!changed) return;
+    }
+}
+
+std::set<Node> cells_of(const std::vector<FoldedCell>& folded) {
+    std::set<Node> cells;
+    for (const FoldedCell& cell : folded) cells.insert(cell.cell);
+    return cells;
+}
+
+}  // namespace
+
+Field asked_heights(const PointField& points, Side side, const std::optional<double>& height) {
+    const WallFrame wall(points.extent(), side);
+    if (height) return Field(wall.nodes(), *height);
+    const WallLengths lengths(points, wall);
+    const int last_a = wall.count_a - 1;
+    const int last_b = wall.count_b - 1;
+    const auto logarithm = [&](int a, int b) { return std::log(height_at(points, wall, a, b)); };
+    const std::array<double, 4> corners{logarithm(0, 0), logarithm(last_a, 0), logarithm(0, last_b),
+                                        logarithm(last_a, last_b)};
+    Field asked(wall.nodes());
+    for (int b = 0; b < wall.count_b; ++b) {
+        for (int a = 0; a < wall.count_a; ++a) {
+            const double s = lengths.along_a(a, b) / lengths.along_a(last_a, b);
+            const double t =
+                wall.is_line() ? 0.0 : lengths.along_b(a, b) / lengths.along_b(a, last_b);
+            asked(a, b) = std::exp((1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
+                                   t * ((1 - s) * corners[2] + s * corners[3]));
+        }
+    }
+    return asked;
+}
+
+HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request) {
+    const WallFrame wall(points.extent(), side);
+    const WallLengths lengths(points, wall);
+    HeldSide held{side, request.fade * lengths.shorter,
+                  asked_heights(points, side, request.height)};
+    const Field target = targets(points, wall, lengths, held.asked, held.fade);
+    std::vector<std::array<int, 2>> inner;
+    for (int b = 0; b < wall.count_b; ++b) {
+        for (int a = 0; a < wall.count_a; ++a) {
+            if (!wall.fixed(a, b)) inner.push_back({a, b});
+        }
+    }
+    const std::set<Node> before = cells_of(folded_cells(points));
+    std::vector<MovableLine> lines(inner.size());
+    parallel_for(inner.size(), [&](std::size_t n) {
+        const auto [a, b] = inner[n];
+        lines[n] = movable_line(points, wall, a, b, target(a, b), held.fade, request.growth);
+        move_line(points, wall, lines[n]);
+    });
+    take_back_folds(points, wall, lines, before);
+    return held;
+}
+
+std::vector<HeldSide> hold_heights(PointField& points, const HeightRequests& requests) {
+    std::vector<HeldSide> held;
+    for (const Side side : all_sides) {
+        const auto& request = requests[static_cast<std::size_t>(side)];
+        if (request) held.push_back(hold_heights(points, side, *request));
+    }
+    return held;
+}
+
+std::vector<double> height_ratios(const PointField& points, const HeldSide& held) {
+    const WallFrame wall(points.extent(), held.side);
+    std::vector<double> ratios;
+    ratios.reserve(wall.nodes().nodes());
+    for (int b = 0; b < wall.count_b; ++b) {
+        for (int a = 0; a < wall.count_a; ++a) {
+            ratios.push_back(height_at(points, wall, a, b) / held.asked(a, b));
+        }
+    }
+    std::sort(ratios.begin(), ratios.end());
+    return ratios;
+}
+
+}  // namespace hexweave

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Heights held at one side of a face or block: after the solve the points near the side move along
+// the grid lines that leave it, until the first cells are as high as asked.
+#pragma once
+
+#include <vector>
+
+#include "core/field.h"
+#include "core/orientation.h"
+#include "topology/case.h"
+
+namespace hexweave {
+
+/// What was asked of one side: a height for every node of it, over the side's own two axes (a face
+/// has one: the second extent is 1).
+struct HeldSide {
+    Side side = Side::jmin;
+    double fade = 0;  ///< the distance from the side at which points stay as they are
+    Field asked;
+};
+
+/// The heights asked at a side: everywhere the given one; or else, from the first cells of the
+/// lines that leave the side's corners (the edges of the face or block), interpolated linearly in
+/// the logarithm of the height over the side's normalized arc lengths.
+Field asked_heights(const PointField& points, Side side, const std::optional<double>& height);
+
+/// Moves interior points of a face or block along the grid lines that leave `side`. Boundary points
+/// stay: where the first cell on one of the neighbouring sides is not as asked, lines beside it
+/// begin with that side's height and come to the asked one within the fade distance along the wall.
+/// A line moves less than asked, or not at all, where its points would not ascend or would grow
+/// faster than request.growth (see feasible_part), and where cells would fold that did not before.
+HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request);
+
+/// All sides asked for, in order.
+std::vector<HeldSide> hold_heights(PointField& points, const HeightRequests& requests);
+
+/// The first cell's height over the asked one at every node of the side, in ascending order.
+std::vector<double> height_ratios(const PointField& points, const HeldSide& held);
+
+}  // namespace hexweave

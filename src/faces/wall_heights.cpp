@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/wall_heights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/assert.h"
+
+namespace hexweave {
+
+namespace {
+
+/// 1 at x = 0, 0 at x = 1, level at both.
+double falling_step(double x) {
+    return 1 - x * x * (3 - 2 * x);
+}
+
+/// d point / d distance at point n: of the parabola through it and its neighbours.
+Vec3 slope_at(const std::vector<Vec3>& points, const std::vector<double>& distances,
+              std::size_t n) {
+    const std::size_t last = points.size() - 1;
+    if (last == 1) return (points[1] - points[0]) / (distances[1] - distances[0]);
+    const std::size_t middle = std::clamp<std::size_t>(n, 1, last - 1);
+    const double before = distances[middle] - distances[middle - 1];
+    const double after = distances[middle + 1] - distances[middle];
+    const Vec3 first = (points[middle] - points[middle - 1]) / before;
+    const Vec3 second = (points[middle + 1] - points[middle]) / after;
+    const Vec3 bend = (second - first) / (before + after);
+    if (n < middle) return first - before * bend;
+    if (n > middle) return second + after * bend;
+    return first + before * bend;
+}
+
+}  // namespace
+
+std::vector<double> distances_along(const std::vector<Vec3>& line) {
+    std::vector<double> distances(line.size(), 0.0);
+    for (std::size_t n = 1; n < line.size(); ++n) {
+        distances[n] = distances[n - 1] + distance(line[n - 1], line[n]);
+    }
+    return distances;
+}
+
+std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<double>& distances,
+                            const std::vector<double>& wanted) {
+    HEXWEAVE_ASSERT(points.size() == distances.size() && points.size() > 1);
+    std::vector<Vec3> result;
+    result.reserve(wanted.size());
+    std::size_t n = 0;
+    for (const double r : wanted) {
+        while (n + 2 < points.size() && distances[n + 1] < r) ++n;
+        const double cell = distances[n + 1] - distances[n];
+        const double f = (r - distances[n]) / cell;
+        const Vec3 chord = points[n + 1] - points[n];
+        const Vec3 at_start = cell * slope_at(points, distances, n) - chord;
+        const Vec3 at_end = cell * slope_at(points, distances, n + 1) - chord;
+        // The chord, and what a cubic of these slopes adds to it: nothing on a straight line.
+        result.push_back(points[n] + f * chord + f * (1 - f) * ((1 - f) * at_start - f * at_end));
+    }
+    return result;
+}
+
+std::vector<double> scaled_distances(const std::vector<double>& distances, double log_factor,
+                                     double fade) {
+    std::vector<double> scaled = distances;
+    if (scaled.size() < 2 || scaled[1] >= fade) return scaled;
+    const double scales = std::log(fade / distances[1]);
+    for (std::size_t n = 1; n < scaled.size() && distances[n] < fade; ++n) {
+        const double x = std::log(distances[n] / distances[1]) / scales;
+        scaled[n] = distances[n] * std::exp(log_factor * falling_step(x));
+    }
+    return scaled;
+}
+
+double greatest_growth(const std::vector<double>& distances) {
+    double greatest = 1;
+    for (std::size_t n = 1; n < distances.size(); ++n) {
+        const double cell = distances[n] - distances[n - 1];
+        if (!(cell > 0)) return std::numeric_limits<double>::infinity();
+        if (n == 1) continue;
+        const double ratio = cell / (distances[n - 1] - distances[n - 2]);
+        greatest = std::max({greatest, ratio, 1 / ratio});
+    }
+    return greatest;
+}
+
+double feasible_part(const std::vector<double>& distances, double log_factor, double fade,
+                     double growth) {
+    constexpr double margin = 1.25;  // on the growth of a line that is beyond the bound already
+    const double allowed = std::max(growth, 1 + margin * (greatest_growth(distances) - 1));
+    const auto allows = [&](double part) {
+        return greatest_growth(scaled_distances(distances, part * log_factor, fade)) <= allowed;
+    };
+    if (!std::isfinite(log_factor) || distances.size() < 2 || distances[1] >= fade) return 0;
+    if (allows(1)) return 1;
+    constexpr int halvings = 30;
+    double low = 0;
+    double high = 1;
+    for (int n = 0; n < halvings; ++n) {
+        const double middle = 0.5 * (low + high);
+        (allows(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+double fade_on_line(double asked_fade, double line_length) {
+    return std::min(asked_fade, 0.5 * line_length);
+}
+
+}  // namespace hexweave

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// A grid line that leaves a wall, its first cell brought to an asked height: its points move along
+// the line, by the asked over the present height at the wall and fading to nothing farther out.
+#pragma once
+
+#include <vector>
+
+#include "core/vec3.h"
+
+namespace hexweave {
+
+/// The distance of each point from the first, along the polygon of the points.
+std::vector<double> distances_along(const std::vector<Vec3>& line);
+
+/// The points of a curve through `points` (at least two, all different) at other distances, which
+/// ascend and lie in the range of `distances` = distances_along(points). Between two points the
+/// curve is a cubic with the slopes of parabolas through three neighbours: third order of accuracy,
+/// exact on straight lines.
+std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<double>& distances,
+                            const std::vector<double>& wanted);
+
+/// distance * exp(log_factor * w): w falls from 1 at the first cell's height to 0 at `fade` like a
+/// smooth step in the logarithm of the distance, so that a factor costs growth evenly over all
+/// scales between the two. Distances from `fade` on are returned to the bit.
+std::vector<double> scaled_distances(const std::vector<double>& distances, double log_factor,
+                                     double fade);
+
+/// The greatest ratio of two neighbouring cells, either way, of the points at these distances;
+/// infinite where they do not ascend.
+double greatest_growth(const std::vector<double>& distances);
+
+/// The part, 0 to 1, of `log_factor` that can be had such that scaled_distances ascend and do not
+/// grow faster than `growth` - or, where they grow nearly as fast already, by a quarter more.
+double feasible_part(const std::vector<double>& distances, double log_factor, double fade,
+                     double growth);
+
+/// How far a face or block may be moved in one line: half of it at most, so that lines between two
+/// walls obey both.
+double fade_on_line(double asked_fade, double line_length);
+
+}  // namespace hexweave
