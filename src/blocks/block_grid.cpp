@@ -6,6 +6,8 @@
 #include "blocks/flat_edges.h"
 #include "blocks/transfinite_block.h"
 #include "elliptic/elliptic_solver.h"
+#include "elliptic/fold_count.h"
+#include "elliptic/untangle.h"
 #include "faces/folded_start.h"
 #include "faces/largest_first.h"
 
@@ -26,6 +28,12 @@ BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces,
         if (block.solve.start_folded) fold_interior(grid.points);
         grid.solve = solve_elliptic(grid.points, parameters,
                                     {block.solve.tolerance, block.solve.maximum_cycles});
+        grid.solve.untangling = untangle(grid.points, [&] {
+            PointField transfinite = grid.points;
+            interpolate_block(transfinite, parameters);
+            return transfinite;
+        });
+        if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);
     }
     grid.heights = hold_heights(grid.points, block.solve.heights);
     return grid;

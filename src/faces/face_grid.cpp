@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "elliptic/elliptic_solver.h"
+#include "elliptic/fold_count.h"
+#include "elliptic/untangle.h"
 #include "faces/face_boundary.h"
 #include "faces/flat_corners.h"
 #include "faces/folded_start.h"
@@ -39,6 +41,12 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
             make_orthogonal(grid.points, parameters, sides,
                             orthogonal_passes(sides, grid.flat_corners), options, grid.solve);
         }
+        grid.solve.untangling = untangle(grid.points, [&] {
+            PointField transfinite = grid.points;
+            interpolate_face(transfinite, parameters);
+            return transfinite;
+        });
+        if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);
     }
     grid.heights = hold_heights(grid.points, face.solve.heights);
     if (planar) set_plane(grid.points, {2, 0.0});
