@@ -82,6 +82,28 @@ Json solve(const SolveMeasure& s) {
             {"heights", list(s.heights, held_heights)}};
 }
 
+Json angles(const AngleMeasure& a) {
+    return {{"corners", a.corners},           {"least", number(a.least)},
+            {"greatest", number(a.greatest)}, {"worst_place", point(a.worst_place)},
+            {"within_5", a.within_5},         {"within_10", a.within_10}};
+}
+
+Json growth(const GrowthMeasure& g) {
+    return {{"ratio", number(g.ratio)}, {"place", point(g.place)}};
+}
+
+Json wall(const WallMeasure& w) {
+    return {{"family", w.family},
+            {"nodes", w.nodes},
+            {"mean_angle", number(w.mean_angle)},
+            {"greatest_angle", number(w.greatest_angle)},
+            {"worst_place", point(w.worst_place)},
+            {"greatest_angle_beside_ends", number(w.greatest_angle_beside_ends)},
+            {"least_height", number(w.least_height)},
+            {"median_height", number(w.median_height)},
+            {"greatest_height", number(w.greatest_height)}};
+}
+
 Json zone(const ZoneMeasure& z) {
     return {{"name", z.name},
             {"nodes", extent(z.extent)},
@@ -90,7 +112,9 @@ Json zone(const ZoneMeasure& z) {
             {"flat_corners", z.flat_corners},
             {"worst_scaled_jacobian", number(z.worst_scaled_jacobian)},
             {"worst_cell", {z.worst_cell[0] + 1, z.worst_cell[1] + 1, z.worst_cell[2] + 1}},
-            {"worst_place", point(z.worst_place)}};
+            {"worst_place", point(z.worst_place)},
+            {"angles", angles(z.angles)},
+            {"growth", {growth(z.growth[0]), growth(z.growth[1]), growth(z.growth[2])}}};
 }
 
 Json spacing(const SpacingMeasure& s) {
@@ -110,11 +134,15 @@ Json report_json(const Report& r) {
             {"nodes", r.nodes},
             {"folded", r.folded()},
             {"worst_scaled_jacobian", number(r.worst_scaled_jacobian())},
+            {"angles", angles(r.angles())},
             {"zones", list(r.zones, zone)},
             {"interfaces", list(r.interfaces,
                                 [](const InterfaceMeasure& i) {
-                                    return Json{{"name", i.name}, {"mismatched", i.mismatched}};
+                                    return Json{{"name", i.name},
+                                                {"mismatched", i.mismatched},
+                                                {"growth", growth(i.growth)}};
                                 })},
+            {"walls", list(r.walls, wall)},
             {"spacings", list(r.spacings, spacing)},
             {"solves", list(r.solves, solve)},
             {"seconds", list(r.stages, [](const StageTime& s) {

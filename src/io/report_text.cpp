@@ -146,6 +146,55 @@ std::string zone_table(const Report& report) {
     return text;
 }
 
+std::string angle_line(const Report& report) {
+    const AngleMeasure angles = report.angles();
+    if (angles.corners == 0) return {};
+    const auto percent = [&](std::size_t corners) {
+        return 100.0 * static_cast<double>(corners) / static_cast<double>(angles.corners);
+    };
+    return fmt::format(
+        "angles {:.1f} to {:.1f} degrees, the worst at ({:.6g}, {:.6g}, {:.6g}); {:.1f} % within 5 "
+        "of 90, {:.1f} % within 10\n",
+        angles.least, angles.greatest, angles.worst_place.x, angles.worst_place.y,
+        angles.worst_place.z, percent(angles.within_5), percent(angles.within_10));
+}
+
+/// The worst along the lines of each axis, and across interfaces.
+std::string growth_line(const Report& report) {
+    std::string text;
+    const auto add = [&](const std::string& where, double ratio, const std::string& entity) {
+        if (ratio <= 1) return;
+        text += fmt::format("{} {:.3g} {} ('{}')", text.empty() ? "growth at most" : ",", ratio,
+                            where, entity);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto worst = std::max_element(report.zones.begin(), report.zones.end(),
+                                            [axis](const auto& a, const auto& b) {
+                                                return a.growth[axis].ratio < b.growth[axis].ratio;
+                                            });
+        if (worst == report.zones.end()) continue;
+        add(fmt::format("along {}", "ijk"[axis]), worst->growth[axis].ratio, worst->name);
+    }
+    const auto worst = std::max_element(
+        report.interfaces.begin(), report.interfaces.end(),
+        [](const auto& a, const auto& b) { return a.growth.ratio < b.growth.ratio; });
+    if (worst != report.interfaces.end()) add("across", worst->growth.ratio, worst->name);
+    return text.empty() ? text : text + "\n";
+}
+
+std::string wall_lines(const Report& report) {
+    std::string text;
+    for (const WallMeasure& w : report.walls) {
+        text += fmt::format(
+            "wall '{}': lines leave {:.2g} degrees off its normal on average, {:.2g} at most, "
+            "{:.2g} "
+            "beside its ends; first heights {:.3g} to {:.3g}, median {:.3g}\n",
+            w.family, w.mean_angle, w.greatest_angle, w.greatest_angle_beside_ends, w.least_height,
+            w.greatest_height, w.median_height);
+    }
+    return text;
+}
+
 std::string stage_line(const Report& report) {
     std::string text = "seconds:";
     for (const StageTime& s : report.stages) {
@@ -196,6 +245,7 @@ std::string to_text(const Report& report, bool verbose) {
     std::string text = spacing_table(report);
     text += "\n" + solve_table(report, verbose);
     text += "\n" + height_table(report) + zone_table(report);
+    text += "\n" + angle_line(report) + growth_line(report) + wall_lines(report);
     text += "\n" + stage_line(report);
     return text;
 }

@@ -194,6 +194,8 @@ ZoneMeasure measure_zone(const Zone& zone, int physical_dimension) {
     measure.name = zone.name;
     measure.extent = zone.points.extent();
     measure.cells = measure.extent.cells();
+    measure.angles = measure_angles(zone.points);
+    measure.growth = measure_growth(zone.points);
     if (measure.extent.nk == 1) {
         measure_surface(zone.points, physical_dimension == 2, measure);
     } else {
@@ -216,8 +218,10 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
         report.nodes += zone.points.extent().nodes();
     }
     for (const Interface& interface : grid.interfaces) {
-        report.interfaces.push_back({interface.name, count_mismatched(grid, interface)});
+        report.interfaces.push_back(
+            {interface.name, count_mismatched(grid, interface), measure_growth(grid, interface)});
     }
+    report.walls = measure_walls(grid);
     report.spacings = measure_spacings(topology, edges);
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Face& face = topology.faces[f];

@@ -17,6 +17,12 @@ double Report::worst_scaled_jacobian() const {
     return worst;
 }
 
+AngleMeasure Report::angles() const {
+    AngleMeasure all;
+    for (const ZoneMeasure& z : zones) all.include(z.angles);
+    return all;
+}
+
 std::size_t Report::mismatched() const {
     return std::accumulate(
         interfaces.begin(), interfaces.end(), std::size_t{0},

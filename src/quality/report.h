@@ -2,6 +2,7 @@
 // What was measured of a run: the numbers behind the printed report, the JSON, and the exit code.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "core/orientation.h"
 #include "core/vec3.h"
 #include "elliptic/solve_result.h"
+#include "quality/angles.h"
+#include "quality/growth.h"
+#include "quality/walls.h"
 
 namespace hexweave {
 
@@ -55,12 +59,14 @@ struct ZoneMeasure {
     Vec3 worst_place;
     std::size_t folded = 0;
     std::size_t flat_corners = 0;
+    AngleMeasure angles;
+    std::array<GrowthMeasure, 3> growth;  ///< along i, j and k
 };
 
-/// Nodes of one interface that are not the same to the last bit on its two sides.
 struct InterfaceMeasure {
     std::string name;
-    std::size_t mismatched = 0;
+    std::size_t mismatched = 0;  ///< nodes that are not the same to the last bit on its two sides
+    GrowthMeasure growth;        ///< across it
 };
 
 struct StageTime {
@@ -74,12 +80,14 @@ struct Report {
     std::size_t nodes = 0;
     std::vector<ZoneMeasure> zones;
     std::vector<InterfaceMeasure> interfaces;
+    std::vector<WallMeasure> walls;
     std::vector<SpacingMeasure> spacings;
     std::vector<SolveMeasure> solves;
     std::vector<StageTime> stages;
 
     std::size_t folded() const;
     double worst_scaled_jacobian() const;
+    AngleMeasure angles() const;  ///< of all zones
     std::size_t mismatched() const;
     std::size_t unconverged() const;
     /// No folded cell, every solve converged, every interface the same on both sides.

@@ -117,6 +117,6 @@ TEST_CASE("an unsound report says so") {
     CHECK(report.unconverged() == 1);
     CHECK(!report.sound());
     report.solves.clear();
-    report.interfaces.push_back({"i", 1});
+    report.interfaces.push_back({"i", 1, {}});
     CHECK(!report.sound());
 }

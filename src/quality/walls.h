@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first cells at the walls: how upright they stand and how high they are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/multiblock.h"
+#include "core/vec3.h"
+
+namespace hexweave {
+
+/// The first intervals of the grid lines that leave a family of walls, at every node of its patches
+/// but those on their ends, which are given by the edges. Angles are degrees from the wall's normal
+/// (in a surface grid: from its normal within the surface). Nodes beside an end, where a grid line
+/// may be squeezed by a corner, are counted apart.
+struct WallMeasure {
+    std::string family;
+    std::size_t nodes = 0;  ///< not beside an end
+    double mean_angle = 0;
+    double greatest_angle = 0;
+    Vec3 worst_place;
+    double greatest_angle_beside_ends = 0;
+    double least_height = 0;  ///< length of the interval, over all nodes
+    double median_height = 0;
+    double greatest_height = 0;
+};
+
+/// One measure for every family whose type is BCWall or begins so.
+std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid);
+
+}  // namespace hexweave
