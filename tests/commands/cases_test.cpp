@@ -15,6 +15,7 @@
 #include "core/multiblock.h"
 #include "io/cgns.h"
 #include "quality/measure.h"
+#include "quality/walls.h"
 #include "tests/commands/program.h"
 
 using namespace hexweave;
@@ -325,4 +326,73 @@ TEST_CASE("the case on the README's first pages runs and is sound") {
     INFO(plot.err);
     CHECK(plot.exit_code == 0);
     CHECK(scratch.read("hump.png").substr(1, 3) == "PNG");
+}
+
+namespace {
+
+Json report_of(const Scratch& scratch, const std::string& arguments) {
+    const Finished run = scratch.hexweave("run --json report.json " + arguments);
+    INFO(run.out << run.err);
+    REQUIRE(run.exit_code == 0);
+    return Json::parse(scratch.read("report.json"))["report"];
+}
+
+/// The greatest growth along i (0) or j (1), over all zones.
+double greatest_growth(const Json& report, std::size_t axis) {
+    double greatest = 1;
+    for (const Json& zone : report["zones"]) {
+        greatest = std::max(greatest, zone["growth"][axis]["ratio"].get<double>());
+    }
+    return greatest;
+}
+
+double share(const Json& angles, const char* within) {
+    return angles[within].get<double>() / angles["corners"].get<double>();
+}
+
+}  // namespace
+
+TEST_CASE("grid lines of the NACA 0012 leave the airfoil upright, up to its trailing edge") {
+    const Scratch scratch;
+    const Json report = report_of(scratch, shipped("naca0012.yaml") + " -o naca.cgns");
+    const Json& wall = report["walls"][0];
+    CHECK(wall["mean_angle"] < 0.8);
+    CHECK(wall["greatest_angle"] < 12);
+    // Beside the ends of its four patches too, but for the one column beside the trailing edge.
+    MultiblockGrid grid = read_cgns(scratch.path() / "naca.cgns");
+    for (BoundaryPatch& patch : grid.patches) {
+        const PointField& x = grid.zones[static_cast<std::size_t>(patch.zone)].points;
+        if (x(patch.box.begin[0], 0).x == 1) ++patch.box.begin[0];
+        if (x(patch.box.end[0], 0).x == 1) --patch.box.end[0];
+    }
+    for (const WallMeasure& m : measure_walls(grid)) CHECK(m.greatest_angle_beside_ends < 12);
+    // Along the lines round the airfoil, from face to face too.
+    CHECK(greatest_growth(report, 0) < 1.3);
+    for (const Json& interface : report["interfaces"]) CHECK(interface["growth"]["ratio"] < 1.3);
+    for (const Json& solve : report["solves"]) {
+        const bool at_trailing_edge = !solve["flat_at"].empty();
+        CHECK(solve["orthogonality"]["passes"] == (at_trailing_edge ? 1 : 2));
+        CHECK(solve["orthogonality"]["end"] == "all passes done");
+    }
+}
+
+TEST_CASE("the cells of the RAE 2822 are nearly rectangles everywhere") {
+    const Scratch scratch;
+    const Json report = report_of(scratch, shipped("rae2822.yaml"));
+    const Json& angles = report["angles"];
+    CHECK(report["folded"] == 0);
+    CHECK(angles["corners"] == 4 * 24576);
+    CHECK(angles["least"] > 75);
+    CHECK(angles["greatest"] < 105);
+    CHECK(share(angles, "within_5") >= 0.89);
+    CHECK(share(angles, "within_10") >= 0.98);
+    CHECK(greatest_growth(report, 1) < 1.25);
+    for (const Json& interface : report["interfaces"]) {
+        if (interface["name"].get<std::string>().find("wake") == std::string::npos) continue;
+        CHECK(interface["growth"]["ratio"] < 1.25);
+    }
+    const Json& wall = report["walls"][0];
+    CHECK(wall["mean_angle"] < 0.2);
+    CHECK(wall["greatest_angle"] < 0.6);
+    CHECK(wall["greatest_angle_beside_ends"] < 0.6);
 }
