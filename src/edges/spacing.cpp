@@ -5,6 +5,7 @@
 
 #include "core/assert.h"
 #include "geometry/stretching.h"
+#include "geometry/wall_scaling.h"
 
 namespace hexweave {
 
@@ -19,6 +20,11 @@ std::vector<double> fractions_of(const UniformLaw& /*law*/, int cells, double /*
 }
 
 std::vector<double> fractions_of(const TanhLaw& law, int cells, double length) {
+    if (law.natural) {
+        return held_tanh_fractions(cells, (law.start ? *law.start : *law.end) / length,
+                                   law.natural->size / length, law.natural->within / length,
+                                   law.end.has_value());
+    }
     return tanh_fractions(cells, over(law.start, length), over(law.end, length));
 }
 

@@ -3,18 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/assert.h"
 
 namespace hexweave {
 
 namespace {
-
-/// 1 at x = 0, 0 at x = 1, level at both.
-double falling_step(double x) {
-    return 1 - x * x * (3 - 2 * x);
-}
 
 /// d point / d distance at point n: of the parabola through it and its neighbours.
 Vec3 slope_at(const std::vector<Vec3>& points, const std::vector<double>& distances,
@@ -59,30 +53,6 @@ std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<d
         result.push_back(points[n] + f * chord + f * (1 - f) * ((1 - f) * at_start - f * at_end));
     }
     return result;
-}
-
-std::vector<double> scaled_distances(const std::vector<double>& distances, double log_factor,
-                                     double fade) {
-    std::vector<double> scaled = distances;
-    if (scaled.size() < 2 || scaled[1] >= fade) return scaled;
-    const double scales = std::log(fade / distances[1]);
-    for (std::size_t n = 1; n < scaled.size() && distances[n] < fade; ++n) {
-        const double x = std::log(distances[n] / distances[1]) / scales;
-        scaled[n] = distances[n] * std::exp(log_factor * falling_step(x));
-    }
-    return scaled;
-}
-
-double greatest_growth(const std::vector<double>& distances) {
-    double greatest = 1;
-    for (std::size_t n = 1; n < distances.size(); ++n) {
-        const double cell = distances[n] - distances[n - 1];
-        if (!(cell > 0)) return std::numeric_limits<double>::infinity();
-        if (n == 1) continue;
-        const double ratio = cell / (distances[n - 1] - distances[n - 2]);
-        greatest = std::max({greatest, ratio, 1 / ratio});
-    }
-    return greatest;
 }
 
 double feasible_part(const std::vector<double>& distances, double log_factor, double fade,

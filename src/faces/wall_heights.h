@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/vec3.h"
+#include "geometry/wall_scaling.h"
 
 namespace hexweave {
 
@@ -18,16 +19,6 @@ std::vector<double> distances_along(const std::vector<Vec3>& line);
 /// exact on straight lines.
 std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<double>& distances,
                             const std::vector<double>& wanted);
-
-/// distance * exp(log_factor * w): w falls from 1 at the first cell's height to 0 at `fade` like a
-/// smooth step in the logarithm of the distance, so that a factor costs growth evenly over all
-/// scales between the two. Distances from `fade` on are returned to the bit.
-std::vector<double> scaled_distances(const std::vector<double>& distances, double log_factor,
-                                     double fade);
-
-/// The greatest ratio of two neighbouring cells, either way, of the points at these distances;
-/// infinite where they do not ascend.
-double greatest_growth(const std::vector<double>& distances);
 
 /// The part, 0 to 1, of `log_factor` that can be had such that scaled_distances ascend and do not
 /// grow faster than `growth` - or, where they grow nearly as fast already, by a quarter more.

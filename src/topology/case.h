@@ -64,8 +64,16 @@ struct VertexEntry {
 struct UniformLaw {};
 /// Vinokur's tanh: absolute first and last cell, either free.
 struct TanhLaw {
+    /// Where the asked cell is that of a held wall: the law's own cell is `size`, and the points
+    /// nearer than `within` are moved such that the asked one is met. [lengths]
+    struct Natural {
+        double size = 0;
+        double within = 0;
+    };
+
     std::optional<double> start;
     std::optional<double> end;
+    std::optional<Natural> natural{};  ///< at the one end that is given
 };
 /// Each cell is `ratio` times the one before. Either the ratio, or the first cell, or the last.
 struct GeometricLaw {

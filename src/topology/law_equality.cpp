@@ -19,6 +19,12 @@ bool close(const std::optional<double>& a, const std::optional<double>& b) {
     return close(*a, *b, rounding);
 }
 
+bool close(const std::optional<TanhLaw::Natural>& a, const std::optional<TanhLaw::Natural>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return close(std::optional(a->size), std::optional(b->size)) &&
+           close(std::optional(a->within), std::optional(b->within));
+}
+
 bool equal_lengths(double a, double b) {
     constexpr double tolerance = 1e-9;
     return close(a, b, tolerance);
@@ -31,7 +37,7 @@ struct SameDistribution {
     bool operator()(const UniformLaw& /*a*/, const UniformLaw& /*b*/) const { return true; }
     bool operator()(const TanhLaw& a, const TanhLaw& b) const {
         const bool absolute = a.start || a.end;
-        return close(a.start, b.start) && close(a.end, b.end) &&
+        return close(a.start, b.start) && close(a.end, b.end) && close(a.natural, b.natural) &&
                (!absolute || equal_lengths(length_a, length_b));
     }
     bool operator()(const GeometricLaw& a, const GeometricLaw& b) const {

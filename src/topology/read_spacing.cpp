@@ -19,6 +19,8 @@ struct Sizes {
     std::optional<double> start;
     std::optional<double> end;
     std::optional<double> ratio;
+    std::optional<double> natural;
+    std::optional<double> within;
     bool sound = true;
 };
 
@@ -33,6 +35,8 @@ Sizes read_sizes(Reading& reading, const YamlNode& node) {
     read("start", sizes.start);
     read("end", sizes.end);
     read("ratio", sizes.ratio);
+    read("natural", sizes.natural);
+    read("within", sizes.within);
     return sizes;
 }
 
@@ -147,7 +151,16 @@ std::optional<SpacingEntry> read_tanh(Reading& reading, const YamlNode& node, co
     if (!sizes.start && !sizes.end) {
         return needs_size(reading, node, "the law tanh needs a size: 'start', 'end' or both");
     }
-    return TanhLaw{sizes.start, sizes.end};
+    TanhLaw law{sizes.start, sizes.end};
+    if (sizes.natural || sizes.within) {
+        if (!sizes.natural || !sizes.within || (sizes.start && sizes.end)) {
+            return needs_size(
+                reading, node,
+                "'natural' and 'within' stand together, beside 'start' or 'end' alone");
+        }
+        law.natural = {*sizes.natural, *sizes.within};
+    }
+    return law;
 }
 
 std::optional<SpacingEntry> read_geometric(Reading& reading, const YamlNode& node,
@@ -175,6 +188,12 @@ std::optional<SpacingEntry> read_law(Reading& reading, const YamlNode& node) {
     const Sizes sizes = read_sizes(reading, node);
     if (!law || !sizes.sound) return std::nullopt;
     if (*law == 0) return read_tanh(reading, node, sizes);
+    for (const std::string_view key : {"natural", "within"}) {
+        if (const YamlNode* size = find(reading, node, key)) {
+            return contradiction(reading, *size, fmt::format("the law {}", laws[*law]),
+                                 "a natural cell belongs to the law tanh");
+        }
+    }
     if (*law == 1) return read_geometric(reading, node, sizes);
     for (const std::string_view key : {"start", "end", "ratio"}) {
         if (const YamlNode* size = find(reading, node, key)) {
@@ -195,7 +214,8 @@ std::optional<SpacingEntry> read_spacing(Reading& reading, const YamlNode& node)
             "write {start: SIZE, end: SIZE} or {like: EDGE}");
         return std::nullopt;
     }
-    const Keys keys{"start", "end", "law", "ratio", "like", "positions", "parameters"};
+    const Keys keys{"start", "end",  "natural",   "within",    "law",
+                    "ratio", "like", "positions", "parameters"};
     expect_mapping(reading, node, "'spacing'", keys,
                    {{"heights", "'heights' are not in this version yet",
                      "give 'start', 'end', or 'positions' as fractions"}});

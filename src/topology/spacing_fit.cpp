@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "geometry/stretching.h"
+#include "geometry/wall_scaling.h"
 
 namespace hexweave {
 
@@ -88,9 +90,31 @@ std::string misfit(const UniformLaw& /*law*/, int /*cells*/, double /*length*/) 
     return {};
 }
 
+/// A law that is scaled near one end; its sizes fit as those of a plain one.
+std::string misfit_of_natural(const TanhLaw& law, int cells, double length) {
+    const auto [natural, within] = *law.natural;
+    const double asked = law.start ? *law.start : *law.end;
+    if (!(within > std::max(asked, natural)) || within > length) {
+        return fmt::format(
+            "'within', {:g}, must be more than both cells, {:g} and {:g}, and at most the edge, "
+            "{:g}",
+            within, asked, natural, length);
+    }
+    const auto fractions = held_tanh_fractions(cells, asked / length, natural / length,
+                                               within / length, law.end.has_value());
+    if (std::isfinite(greatest_growth(fractions))) return misfit_of_fractions(fractions);
+    return fmt::format(
+        "a cell of {:g} is too far from the natural one, {:g}, to be had within {:g}", asked,
+        natural, within);
+}
+
 std::string misfit(const TanhLaw& law, int cells, double length) {
     std::string reason = misfit_of_sizes(law.start, law.end, length, cells);
     if (!reason.empty()) return reason;
+    if (law.natural) {
+        reason = misfit_of_sizes(law.natural->size, std::nullopt, length, cells);
+        return reason.empty() ? misfit_of_natural(law, cells, length) : reason;
+    }
     return misfit_of_fractions(
         tanh_fractions(cells, over(law.start, length), over(law.end, length)));
 }

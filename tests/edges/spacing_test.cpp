@@ -30,6 +30,43 @@ ExplicitLaw by_formula(std::function<double(double)> formula) {
 
 }  // namespace
 
+TEST_CASE("a cell held over a natural one is met, and the points beyond are those of the law") {
+    const double length = 20;
+    const double within = 0.03;
+    for (const double natural : {1.2e-6, 1e-5, 2.3e-5}) {
+        const TanhLaw law{1e-5, none, TanhLaw::Natural{natural, within}};
+        const std::vector<double> held = law_fractions(law, 96, length);
+        const std::vector<double> plain = law_fractions(TanhLaw{natural, none}, 96, length);
+        CHECK(held[1] * length == Approx(1e-5).epsilon(1e-12));
+        for (std::size_t n = 1; n < held.size(); ++n) {
+            CHECK(held[n] > held[n - 1]);
+            if (plain[n] * length >= within) CHECK(held[n] == plain[n]);
+        }
+        CHECK(spacing_misfit(law, 96, length).empty());
+
+        const TanhLaw turned{none, 1e-5, TanhLaw::Natural{natural, within}};
+        const std::vector<double> mirrored = reversed_fractions(law_fractions(turned, 96, length));
+        for (std::size_t n = 0; n < held.size(); ++n) {
+            CHECK(mirrored[n] == Approx(held[n]).margin(1e-15));
+        }
+    }
+}
+
+TEST_CASE("a cell that cannot be held over a natural one does not fit") {
+    const auto misfit = [](double start, double natural, double within) {
+        return spacing_misfit(TanhLaw{start, none, TanhLaw::Natural{natural, within}}, 40, 1);
+    };
+    CHECK(misfit(1e-4, 1e-5, 0.05).empty());
+    CHECK(
+        misfit(1e-4, 1e-5, 1e-5) ==
+        "'within', 1e-05, must be more than both cells, 0.0001 and 1e-05, and at most the edge, 1");
+    CHECK(misfit(1e-4, 1e-5, 1.1) ==
+          "'within', 1.1, must be more than both cells, 0.0001 and 1e-05, and at most the edge, 1");
+    CHECK(misfit(1e-4, 2, 0.05) == "the first cell, 2, is longer than the edge, 1");
+    CHECK(misfit(0.04, 1e-6, 0.05) ==
+          "a cell of 0.04 is too far from the natural one, 1e-06, to be had within 0.05");
+}
+
 TEST_CASE("sizes are arc lengths, not fractions") {
     const std::vector<double> f = law_fractions(TanhLaw{1e-3, 0.5}, 20, 4);
     CHECK(f[1] * 4 == Approx(1e-3).epsilon(1e-12));
