@@ -176,6 +176,37 @@ TEST_CASE("the side planes of the swept wing are exact and its sections alike") 
     }
 }
 
+TEST_CASE("first cells off the swept wing are as high as asked, all over it") {
+    const Scratch scratch;
+    REQUIRE(scratch
+                .hexweave("run --quiet " + shipped("swept_wing.yaml") +
+                          " --set span_cells=6 --set wall_cells=32 --set wake_cells=12 "
+                          "--set normal=48 --json report.json -o wing.cgns")
+                .exit_code == 0);
+    const MultiblockGrid grid = read_cgns(scratch.path() / "wing.cgns");
+    for (const Zone& zone : grid.zones) {
+        if (zone.name != "upper" && zone.name != "lower") continue;
+        const Extent e = zone.points.extent();
+        for (int k = 0; k < e.nk; ++k) {
+            for (int i = 0; i < e.ni; ++i) {
+                CHECK(distance(zone.points(i, 0, k), zone.points(i, 1, k)) ==
+                      Approx(1e-5).epsilon(0.01));
+            }
+        }
+    }
+    int held = 0;
+    const Json solves = Json::parse(scratch.read("report.json"))["report"]["solves"];
+    for (const Json& solve : solves) {
+        for (const Json& side : solve["heights"]) {
+            CHECK(side["asked"][0].get<double>() == Approx(1e-5));
+            CHECK(side["least"].get<double>() > 0.99);
+            CHECK(side["greatest"].get<double>() < 1.01);
+            ++held;
+        }
+    }
+    CHECK(held == 9);
+}
+
 TEST_CASE("the bytes do not depend on the threads, nor on the run") {
     for (const std::string config : {"naca0012", "pipe"}) {
         const Scratch scratch;
@@ -395,4 +426,6 @@ TEST_CASE("the cells of the RAE 2822 are nearly rectangles everywhere") {
     CHECK(wall["mean_angle"] < 0.2);
     CHECK(wall["greatest_angle"] < 0.6);
     CHECK(wall["greatest_angle_beside_ends"] < 0.6);
+    CHECK(wall["least_height"] > 0.99e-5);
+    CHECK(wall["greatest_height"] < 1.01e-5);
 }
