@@ -44,7 +44,8 @@ double angle_about(const Vec3& along, const Vec3& first, const Vec3& second, int
 }
 
 bool is_flat(const Block& block, int axis, std::size_t number, const std::vector<FaceGrid>& faces) {
-    const auto [first, second] = across[static_cast<std::size_t>(axis)];
+    const int first = across[static_cast<std::size_t>(axis)][0];
+    const int second = across[static_cast<std::size_t>(axis)][1];
     const bool first_max = number % 2 == 1;
     const bool second_max = number / 2 == 1;
     // The leg along the first axis lies on the side that is constant in the second.
