@@ -125,9 +125,11 @@ std::size_t coupling_between(int from, int to, std::size_t axes) {
         step[axis] = ((to >> axis) & 1) - ((from >> axis) & 1);
         back[axis] = -step[axis];
     }
-    const auto found = std::find_if(nodes_ahead.begin(), nodes_ahead.end(),
-                                    [&](const Node& n) { return n == step || n == back; });
-    return static_cast<std::size_t>(found - nodes_ahead.begin());
+    std::size_t slot = 0;
+    while (slot < nodes_ahead.size() && nodes_ahead[slot] != step && nodes_ahead[slot] != back) {
+        ++slot;
+    }
+    return slot;
 }
 
 using CouplingTable = std::array<std::array<std::size_t, 8>, 8>;

@@ -3,7 +3,7 @@
 // the target corner to the actual one (d = 2 or 3 dimensions),
 //     f = |J|^2 / chi^(2/d) + (det^2 + 1) / (2 chi),  chi = (det + sqrt(epsilon^2 + det^2)) / 2.
 // It is finite for folded cells, and as epsilon goes to zero they cost more than any other.
-// [Garanzha, Kaporin, Kudryavtseva, Protais, Ray & Sokolov 2021, eqs. (3)-(6), lambda = 1/2]
+// [Garanzha, Kaporin, Kudryavtseva, Protais, Ray & Sokolov 2021, with lambda = 1/2]
 #pragma once
 
 #include <array>

@@ -27,11 +27,12 @@ enum class Safeguard {
 struct Untangling {
     long folded_before = 0;  ///< cells, of the elliptic grid
     long points_moved = 0;
-    double largest_move = 0;  ///< distance
-    Vec3 place;               ///< of the largest move
-    int patches = 0;          ///< regions that were worked on
-    int rounds = 0;           ///< how often a patch had to grow
-    bool whole_grid = false;  ///< patches were not enough: every interior point was free
+    double largest_move = 0;      ///< distance
+    Vec3 place;                   ///< of the largest move
+    int patches = 0;              ///< regions that were worked on
+    int rounds = 0;               ///< how often a patch had to grow
+    bool whole_grid = false;      ///< patches were not enough: every interior point was free
+    std::optional<Vec3> left_at;  ///< a node of the first cell that is still folded
 };
 
 /// How the passes that make a grid orthogonal at its boundary ended.

@@ -14,12 +14,14 @@ namespace hexweave {
 namespace {
 
 constexpr double linear_reduction = 0.1;
-constexpr int most_linear_iterations = 200;
+constexpr double most_linear_iterations = 200;
+/// Setting up a step costs as much as so many linear iterations.
+constexpr int visits_of_assembly = 10;
 constexpr double least_epsilon = 1e-9;
 constexpr int halvings = 16;
 
 /// The next epsilon: chi of the least determinant shall fall in proportion as the energy did, by a
-/// tenth at least. [Garanzha et al. 2021, section 3.2]
+/// tenth at least. [Garanzha et al. 2021]
 double next_epsilon(double epsilon, double least_determinant, double energy_ratio) {
     const double fall = std::clamp(1 - energy_ratio, 0.1, 1.0);
     const double aim = (1 - fall) * regularised(least_determinant, epsilon);
@@ -30,16 +32,18 @@ double next_epsilon(double epsilon, double least_determinant, double energy_rati
 class Minimization {
 public:
     Minimization(Patch& patch, const UnfoldLimits& limits)
-        : patch_(patch), limits_(limits), solver_(patch), epsilon_(limits.epsilon) {}
+        : patch_(patch),
+          limits_(limits),
+          solver_(patch),
+          step_(patch.free.size()),
+          epsilon_(limits.epsilon) {}
 
     Unfolding run();
 
 private:
     bool newton_step();
     bool may_go_on() const {
-        return result_.newton_steps < limits_.newton_steps &&
-               result_.linear_iterations * static_cast<double>(patch_.free.size()) <
-                   limits_.node_visits;
+        return result_.newton_steps < limits_.newton_steps && visits_ < limits_.node_visits;
     }
     void polish();
 
@@ -51,6 +55,7 @@ private:
     double epsilon_;
     double energy_ratio_ = 1;  ///< of the last step
     FunctionalValue value_;
+    double visits_ = 0;
     Unfolding result_;
 };
 
@@ -58,8 +63,11 @@ private:
 bool Minimization::newton_step() {
     assemble(patch_, epsilon_, model_);
     value_ = evaluate(patch_, epsilon_);
-    result_.linear_iterations +=
-        solver_.solve(model_, linear_reduction, most_linear_iterations, step_);
+    const double affordable = (limits_.node_visits - visits_) / static_cast<double>(step_.size());
+    const int most = static_cast<int>(std::clamp(affordable, 1.0, most_linear_iterations));
+    const int iterations = solver_.solve(model_, linear_reduction, most, step_);
+    visits_ += (iterations + visits_of_assembly) * static_cast<double>(step_.size());
+    result_.linear_iterations += iterations;
     ++result_.newton_steps;
     const std::vector<Vec3> start = patch_.points;
     double length = 1;
@@ -76,6 +84,7 @@ bool Minimization::newton_step() {
         }
     }
     patch_.points = start;
+    energy_ratio_ = 1;
     return false;
 }
 
@@ -95,7 +104,6 @@ void Minimization::polish() {
 Unfolding Minimization::run() {
     result_.folded = count_folded(patch_);
     std::vector<Vec3> best = patch_.points;
-    value_ = evaluate(patch_, epsilon_);
     while (result_.folded > 0 && may_go_on()) {
         if (!newton_step() && epsilon_ <= least_epsilon) break;
         const long folded = count_folded(patch_);

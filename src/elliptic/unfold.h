@@ -11,7 +11,7 @@ struct UnfoldLimits {
     double epsilon = 0.2;  ///< to start with
     int newton_steps = 25;
     int steps_after = 2;       ///< once unfolded, so that the least corner is not barely positive
-    double node_visits = 1e7;  ///< iterations of the linear solver times free nodes
+    double node_visits = 1e7;  ///< free nodes times linear iterations (an assembly: ten)
 };
 
 struct Unfolding {

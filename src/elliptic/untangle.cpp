@@ -2,7 +2,9 @@
 #include "elliptic/untangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -33,7 +35,7 @@ constexpr double most_folded_share = 0.05;
 /// Patches with more than this share of the interior nodes are left to the whole grid.
 constexpr double largest_share = 0.5;
 /// About half a minute of work.
-constexpr double whole_grid_node_visits = 1e8;
+constexpr double whole_grid_node_visits = 1.5e8;
 constexpr UnfoldLimits patch_limits{0.2, 25, 2, 1e7};
 constexpr UnfoldLimits whole_grid_limits{0.5, 100, 5, whole_grid_node_visits};
 constexpr double fewest_iterations = 50;
@@ -169,6 +171,13 @@ public:
         }
     }
 
+    void undo(PointField& points) {
+        for (std::size_t m = before_.size(); m-- > 0;) {
+            points.set(before_[m].node, before_[m].point);
+        }
+        before_.clear();
+    }
+
 private:
     struct Old {
         std::size_t node = 0;
@@ -237,6 +246,30 @@ bool work_on_whole_grid(PointField& points, const PointField& start, bool boxes,
     return true;
 }
 
+/// Larger and larger patches; returns the cells that they did not cure.
+std::vector<FoldedCell> work_in_rounds(PointField& points, std::vector<FoldedCell> cells,
+                                       Moves& moves, Untangling& result) {
+    const Extent& e = points.extent();
+    const double interior = static_cast<double>(count_members(all_interior(e)));
+    if (static_cast<double>(cells.size()) > most_folded_share * static_cast<double>(e.cells())) {
+        return cells;
+    }
+    const bool is_face = e.nk == 1;
+    const Vec3 plane = is_face ? plane_normal(points) : Vec3{};
+    const Margin margin = first_margin(points, cells);
+    for (int round = 0; round < most_rounds && !cells.empty(); ++round) {
+        std::vector<Region> regions =
+            regions_of(points, cells, {margin.across << round, margin.along << round});
+        if (static_cast<double>(count_free(regions)) > largest_share * interior) break;
+        if (round == 0) result.patches = static_cast<int>(regions.size());
+        result.rounds = round;
+        cells = work_on_patches(points, regions, plane, moves);
+        // Patches of a face in space are judged by the normals that they began with.
+        if (is_face && plane == Vec3{}) cells = curable(folded_cells(points));
+    }
+    return cells;
+}
+
 }  // namespace
 
 std::optional<Untangling> untangle(PointField& points,
@@ -245,31 +278,27 @@ std::optional<Untangling> untangle(PointField& points,
     if (cells.empty()) return std::nullopt;
     Untangling result;
     result.folded_before = static_cast<long>(cells.size());
-    const NodeLattice lattice(points.extent());
-    cells = curable(cells);
-    if (cells.empty() || !lattice.has_interior()) return result;
-    const Vec3 plane = lattice.axes == 2 ? plane_normal(points) : Vec3{};
-    const auto interior = static_cast<double>(count_members(all_interior(points.extent())));
+    const double interior = NodeLattice(points.extent()).has_interior()
+                                ? static_cast<double>(count_members(all_interior(points.extent())))
+                                : 0;
     Moves moves;
-    const Margin margin = first_margin(points, cells);
-    const bool is_sound_elsewhere =
-        static_cast<double>(cells.size()) <
-        most_folded_share * static_cast<double>(points.extent().cells());
-    const int rounds = is_sound_elsewhere ? most_rounds : 0;
-    for (int round = 0; round < rounds && !cells.empty(); ++round) {
-        std::vector<Region> regions =
-            regions_of(points, cells, {margin.across << round, margin.along << round});
-        if (static_cast<double>(count_free(regions)) > largest_share * interior) break;
-        if (round == 0) result.patches = static_cast<int>(regions.size());
-        result.rounds = round;
-        cells = work_on_patches(points, regions, plane, moves);
-    }
-    if (!cells.empty() && interior * fewest_iterations < whole_grid_node_visits) {
+    cells = curable(cells);
+    if (interior > 0 && !cells.empty()) cells = work_in_rounds(points, cells, moves, result);
+    if (interior > 0 && !cells.empty() && interior * fewest_iterations < whole_grid_node_visits) {
         auto left = static_cast<long>(cells.size());
         result.whole_grid = work_on_whole_grid(points, points, false, left, moves);
         if (left > 0) {
             result.whole_grid |= work_on_whole_grid(points, transfinite(), true, left, moves);
         }
+    }
+    cells = folded_cells(points);
+    if (static_cast<long>(cells.size()) > result.folded_before) {
+        moves.undo(points);
+        cells = folded_cells(points);
+    }
+    if (!cells.empty()) {
+        const Node& cell = cells.front().cell;
+        result.left_at = points(cell[0], cell[1], cell[2]);
     }
     moves.summarize(points, result);
     return result;

@@ -91,7 +91,8 @@ void find_couplings(const Runs& free, const Numbering& nodes, Patch& patch) {
             const int base = nodes.base(run.first, run.j + d[1], run.k + d[2]) + d[0];
             for (int i = run.first; i <= run.last; ++i) {
                 const std::size_t f = own + static_cast<std::size_t>(i - run.first);
-                const int other = patch.free_of[static_cast<std::size_t>(base + i)];
+                const int node = base + i;
+                const int other = patch.free_of[static_cast<std::size_t>(node)];
                 patch.ahead[f * couplings + c] = other;
                 if (other >= 0) {
                     patch.behind[static_cast<std::size_t>(other) * couplings + c] =
@@ -128,8 +129,9 @@ Patch make_patch(const PointField& points, const Runs& free, int thin_axis, cons
     for (std::size_t f = 0; const Run& run : free) {
         const int base = node_numbers.base(run.first, run.j, run.k);
         for (int i = run.first; i <= run.last; ++i, ++f) {
-            patch.free[f] = base + i;
-            patch.free_of[static_cast<std::size_t>(base + i)] = static_cast<int>(f);
+            const int node = base + i;
+            patch.free[f] = node;
+            patch.free_of[static_cast<std::size_t>(node)] = static_cast<int>(f);
         }
     }
     number_cells(cells, node_numbers, patch);

@@ -10,8 +10,12 @@
 
 #include "core/parallel.h"
 #include "elliptic/fold_count.h"
+#include "elliptic/foldover_functional.h"
 #include "elliptic/lattice_runs.h"
 #include "elliptic/shapes.h"
+#include "elliptic/target_cells.h"
+#include "elliptic/unfold.h"
+#include "elliptic/untangle_patch.h"
 
 namespace hexweave {
 namespace {
@@ -161,6 +165,33 @@ TEST_CASE("overhangs of 1.9 radians are unfolded from the transfinite grid") {
     }
 }
 
+TEST_CASE("boxes of the boundary's sizes are an aim where cells say nothing") {
+    const shapes::Problem problem = shapes::meander(65, 33, 1.9);
+    Runs free;
+    for (int j = 1; j < 32; ++j) free.push_back({0, j, 1, 63});
+    Patch patch = make_patch(problem.points, free, 1, plane_normal(problem.points));
+    aim_at_boxes(patch, problem.points);
+    REQUIRE(count_folded(patch) > 300);
+    CHECK(unfold(patch, {0.5, 100, 2, 1e7}).folded == 0);
+    CHECK(count_folded(patch) == 0);
+    // On a rectangle with straight graded lines they are its cells: nothing pulls.
+    const PointField graded = shapes::sample({9, 7, 5}, [](double xi, double eta, double zeta) {
+        return Vec3{xi * xi + xi, 2 * eta, zeta * zeta * zeta};
+    });
+    Runs inside;
+    for (int k = 1; k < 4; ++k) {
+        for (int j = 1; j < 6; ++j) inside.push_back({k, j, 1, 7});
+    }
+    Patch boxes = make_patch(graded, inside, 2, {});
+    aim_at_boxes(boxes, graded);
+    const auto corners = static_cast<double>(boxes.targets.size());
+    CHECK(evaluate(boxes, 1e-9).energy <= 4 * corners * (1 + 1e-12));
+    unfold(boxes, {});
+    for (std::size_t n = 0; n < boxes.nodes.size(); ++n) {
+        CHECK(distance(boxes.points[n], graded[boxes.nodes[n]]) < 1e-12);
+    }
+}
+
 TEST_CASE("a wavy cube is unfolded from a heavily folded start") {
     shapes::Problem problem = shapes::wavy_cube(13);
     const PointField transfinite = problem.points;
@@ -207,6 +238,7 @@ TEST_CASE("what the boundary folds is left, and told") {
     REQUIRE(result.has_value());
     CHECK(result->folded_before == 1);
     CHECK(result->points_moved == 0);
+    CHECK(result->left_at == before(0, 0, 0));
     CHECK(count_different(points, before) == 0);
 }
 
@@ -223,6 +255,7 @@ TEST_CASE("where there is no cure the grid is no worse than before") {
     CHECK(result->folded_before == folded);
     CHECK(count_folded(points) > 0);
     CHECK(count_folded(points) <= folded);
+    CHECK(result->left_at.has_value());
     CHECK(same_boundary(points, before));
 }
 
