@@ -283,6 +283,7 @@ std::optional<Untangling> untangle(PointField& points,
                                 : 0;
     Moves moves;
     cells = curable(cells);
+    const bool some_beyond_cure = static_cast<long>(cells.size()) < result.folded_before;
     if (interior > 0 && !cells.empty()) cells = work_in_rounds(points, cells, moves, result);
     if (interior > 0 && !cells.empty() && interior * fewest_iterations < whole_grid_node_visits) {
         auto left = static_cast<long>(cells.size());
@@ -291,10 +292,14 @@ std::optional<Untangling> untangle(PointField& points,
             result.whole_grid |= work_on_whole_grid(points, transfinite(), true, left, moves);
         }
     }
-    cells = folded_cells(points);
-    if (static_cast<long>(cells.size()) > result.folded_before) {
-        moves.undo(points);
+    // Cured patches of blocks are known to be; a face costs nothing, and one in space was judged by
+    // other normals.
+    if (!cells.empty() || some_beyond_cure || points.extent().nk == 1) {
         cells = folded_cells(points);
+        if (static_cast<long>(cells.size()) > result.folded_before) {
+            moves.undo(points);
+            cells = folded_cells(points);
+        }
     }
     if (!cells.empty()) {
         const Node& cell = cells.front().cell;
