@@ -101,12 +101,14 @@ PointField solved_face(const std::vector<Vec3>& jmin, const std::vector<Vec3>& j
 
 std::vector<Vec3> row(const PointField& face, int j) {
     std::vector<Vec3> points;
+    points.reserve(static_cast<std::size_t>(face.extent().ni));
     for (int i = 0; i < face.extent().ni; ++i) points.push_back(face(i, j));
     return points;
 }
 
 std::vector<Vec3> column(const PointField& face, int i) {
     std::vector<Vec3> points;
+    points.reserve(static_cast<std::size_t>(face.extent().nj));
     for (int j = 0; j < face.extent().nj; ++j) points.push_back(face(i, j));
     return points;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -49,7 +51,7 @@ int run(hexweave::bench::ComparisonOptions options, bool without_hypre,
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CLI::App app("Compares hexweave's elliptic solver with others");
     hexweave::bench::ComparisonOptions options;
     options.program = HEXWEAVE_PROGRAM;
@@ -72,4 +74,7 @@ int main(int argc, char** argv) {
     hexweave::set_threads(1);
     hexweave::bench::return_freed_memory();
     return run(options, without_hypre, json_file);
+} catch (const std::exception& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    return 3;
 }

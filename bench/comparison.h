@@ -54,9 +54,17 @@ struct FoldCheck {
     Start start = Start::transfinite;
     SolveStatus status = SolveStatus::not_converged;
     int cycles = 0;
-    double seconds = 0;
-    GridQuality before;
+    double solve_seconds = 0;
+    long folded_at_start = 0;
+    long folded_by_solve = 0;
     GridQuality after;
+    // What untangling did, where it was called for.
+    bool untangled = false;
+    bool whole_grid = false;
+    double untangle_seconds = 0;
+    long points_moved = 0;
+    double seam_before = 1;  ///< size ratios where points moved
+    double seam_after = 1;
 };
 
 struct BlockCycle {

@@ -59,6 +59,12 @@ inline const std::vector<Case> fold_cases{
     {"C", {33, 33, 33}},     {"C", {65, 65, 65}},
 };
 
+/// Untangling in patches: parts of the solve's time and of the points, and how much larger the size
+/// ratio may be where points moved.
+inline constexpr double most_untangling_cost = 0.05;
+inline constexpr double most_points_moved = 0.02;
+inline constexpr double seam_slack = 1.05;
+
 /// Time of a cycle on a block over that of its memory traffic, gain of a second thread, and bytes
 /// of a whole run per point.
 inline const Case large_block{"W", {129, 129, 97}};

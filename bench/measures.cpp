@@ -178,6 +178,23 @@ double error_in_cells(const PointField& points, const PointField& reference) {
     return error;
 }
 
+double size_ratio_where_moved(const PointField& points, const PointField& other) {
+    const int axes = points.extent().nk == 1 ? 2 : 3;
+    const auto differs = [&](const Node& n) { return !(at(points, n) == at(other, n)); };
+    double largest = 1;
+    for_each_interior(points.extent(), [&](const Node& n) {
+        for (int axis = 0; axis < axes; ++axis) {
+            const Node up = moved(n, axis, 1);
+            const Node down = moved(n, axis, -1);
+            if (!differs(n) && !differs(up) && !differs(down)) continue;
+            const double ahead = distance(at(points, n), at(points, up));
+            const double behind = distance(at(points, n), at(points, down));
+            largest = larger(std::max(ahead, behind) / std::min(ahead, behind), largest);
+        }
+    });
+    return largest;
+}
+
 double residual_in_cells(const PointField& points, const ParameterField& parameters) {
     double residual = 0;
     for_each_interior(points.extent(), [&](const Node& n) {

@@ -22,6 +22,10 @@ GridQuality grid_quality(const PointField& points);
 /// plane, and the normal over the root of the cell's area). NaN where any point is.
 double error_in_cells(const PointField& points, const PointField& reference);
 
+/// The largest ratio of two neighbouring cells along a grid line, at nodes that differ between
+/// `points` and `other` or lie beside one that does: the seam of a patch. 1 where none differs.
+double size_ratio_where_moved(const PointField& points, const PointField& other);
+
 /// The largest residual of the grid equations (24), (86), over the centre of their stencil and in
 /// cells of the grid itself. The control functions (19), (83) are formed in full, by differences of
 /// the parameters. [Spekreijse & Boerstoel 1996]

@@ -24,6 +24,7 @@ Vec3 half_turn(double u) {
 
 std::vector<Vec3> sampled_line(int points, const std::function<Vec3(double)>& map) {
     std::vector<Vec3> line;
+    line.reserve(static_cast<std::size_t>(points));
     for (int i = 0; i < points; ++i) line.push_back(map(static_cast<double>(i) / (points - 1)));
     return line;
 }

@@ -97,19 +97,35 @@ std::string cycles_table(const Comparison& all) {
     return text;
 }
 
+/// "moved 0.3 % of the points in 1.2 % of the time, size ratio 1.66 -> 1.66".
+std::string untangling_text(const FoldCheck& check) {
+    if (!check.untangled) return "";
+    const double moved =
+        static_cast<double>(check.points_moved) / static_cast<double>(check.where.extent.nodes());
+    const double cost = check.untangle_seconds / check.solve_seconds;
+    const bool good = !check.whole_grid && moved <= most_points_moved &&
+                      cost <= most_untangling_cost &&
+                      check.seam_after <= seam_slack * check.seam_before;
+    return fmt::format(
+        "  untangled: {:.2f} % moved, {:.1f} % of the solve, size ratio {:.2f} -> "
+        "{:.2f}{}  {}",
+        100 * moved, 100 * cost, check.seam_before, check.seam_after,
+        check.whole_grid ? ", whole grid" : "", verdict(good));
+}
+
 std::string folds_table(const Comparison& all) {
-    std::string text =
-        fmt::format("{:8}{:>13}  {:12}{:>15}{:>8}{:>10}{:>9}{:>9}{:>10}\n", "problem", "points",
-                    "start", "status", "cycles", "us/pt", "folded", "after", "min SJ");
+    const char* row = "{:8}{:>13}  {:12}{:>15}{:>8}{:>8}{:>8}{:>8}{:>10}";
+    std::string text = fmt::format(fmt::runtime(row), "folded", "points", "start", "status",
+                                   "cycles", "start", "solved", "end", "min SJ") +
+                       "\n";
     for (const FoldCheck& check : all.folds) {
         const bool good = check.after.folded == 0 && check.status == SolveStatus::converged;
-        text += fmt::format("{:8}{:>13}  {:12}{:>15}{:>8}{:>10.2f}{:>9}{:>9}{:>10.2g}  {}\n",
-                            check.where.problem, size_of(check.where.extent),
+        text += fmt::format(fmt::runtime(row), check.where.problem, size_of(check.where.extent),
                             check.start == Start::folded ? "folded" : "transfinite",
-                            status_name(check.status), check.cycles,
-                            1e6 * check.seconds / static_cast<double>(check.where.extent.nodes()),
-                            check.before.folded, check.after.folded,
-                            check.after.least_scaled_jacobian, verdict(good));
+                            status_name(check.status), check.cycles, check.folded_at_start,
+                            check.folded_by_solve, check.after.folded,
+                            fmt::format("{:.2g}", check.after.least_scaled_jacobian)) +
+                fmt::format("  {}{}\n", verdict(good), untangling_text(check));
     }
     return text;
 }
@@ -192,11 +208,19 @@ Json folds_json(const Comparison& all) {
         row["start"] = check.start == Start::folded ? "folded" : "transfinite";
         row["status"] = status_name(check.status);
         row["cycles"] = check.cycles;
-        row["seconds"] = check.seconds;
-        row["folded_before"] = check.before.folded;
+        row["seconds"] = check.solve_seconds;
+        row["folded_at_start"] = check.folded_at_start;
+        row["folded_by_solve"] = check.folded_by_solve;
         row["folded_after"] = check.after.folded;
         row["flat_corners"] = check.after.flat_corners;
         row["least_scaled_jacobian"] = check.after.least_scaled_jacobian;
+        if (check.untangled) {
+            row["untangling"] = {{"seconds", check.untangle_seconds},
+                                 {"points_moved", check.points_moved},
+                                 {"whole_grid", check.whole_grid},
+                                 {"size_ratio_before", check.seam_before},
+                                 {"size_ratio_after", check.seam_after}};
+        }
         rows.push_back(row);
     }
     return rows;

@@ -9,8 +9,8 @@
 namespace hexweave::bench {
 
 /// The tables as text. Of SLOR's relaxation factors only the best is shown.
-std::string report_text(const Comparison& comparison);
+std::string report_text(const Comparison& all);
 /// Everything that was measured.
-std::string report_json(const Comparison& comparison);
+std::string report_json(const Comparison& all);
 
 }  // namespace hexweave::bench

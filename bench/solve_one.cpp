@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <cstdio>
+#include <exception>
 #include <string>
 
 #include "bench/measures.h"
@@ -46,10 +47,8 @@ int solve(const Arguments& a) {
     const auto points = static_cast<double>(a.extent.nodes());
     fmt::print("{} {} x {} x {}: {} points, folded at the start {}\n", a.problem, a.extent.ni,
                a.extent.nj, a.extent.nk, points, bench::grid_quality(problem->points).folded);
-    const auto begin = std::chrono::steady_clock::now();
-    const SolveResult result = bench::finish(*problem, a.options);
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const bench::Finished finished = bench::finish(*problem, a.options);
+    const SolveResult& result = finished.solve;
     for (std::size_t n = 0; n < result.history.size(); ++n) {
         fmt::print("cycle {:3}: {:.3e} cells\n", n + 1, result.history[n]);
     }
@@ -58,16 +57,21 @@ int solve(const Arguments& a) {
     }
     const bench::GridQuality quality = bench::grid_quality(problem->points);
     fmt::print("{}: {} cycles, {:.4f} s, {:.3f} us/point\n", status_name(result.status),
-               result.cycles, seconds, 1e6 * seconds / points);
+               result.cycles, finished.solve_seconds, 1e6 * finished.solve_seconds / points);
+    if (result.untangling) {
+        fmt::print("untangled: {} cells were folded, {} points moved, {:.4f} s\n",
+                   result.untangling->folded_before, result.untangling->points_moved,
+                   finished.untangle_seconds);
+    }
     fmt::print("residual {:.2e} cells; folded {}, flat corners {}, min scaled Jacobian {:.3g}\n",
-               bench::residual_in_cells(problem->points, problem->parameters), quality.folded,
+               bench::residual_in_cells(finished.elliptic, problem->parameters), quality.folded,
                quality.flat_corners, quality.least_scaled_jacobian);
     return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CLI::App app("Solves one problem of the bench and shows its history");
     Arguments arguments;
     add_arguments(app, arguments);
@@ -75,4 +79,7 @@ int main(int argc, char** argv) {
     if (arguments.folded) arguments.problem_options.start = hexweave::bench::Start::folded;
     hexweave::set_threads(arguments.threads);
     return solve(arguments);
+} catch (const std::exception& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    return 3;
 }

@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -82,11 +84,10 @@ Outcome run(const SweepCase& c) {
     Outcome outcome;
     auto problem = c.make();
     if (!problem) return outcome;
-    const SolveResult result = finish(*problem, {});
-    outcome.sound = result.status == SolveStatus::converged;
+    const Finished finished = finish(*problem, {});
+    outcome.sound = finished.solve.status == SolveStatus::converged;
     outcome.quality = grid_quality(problem->points);
-    outcome.folded_by_solve =
-        result.untangling ? result.untangling->folded_before : outcome.quality.folded;
+    outcome.folded_by_solve = finished.folded_by_solve();
     return outcome;
 }
 
@@ -133,7 +134,7 @@ bool sweep(double exponent, bool verbose) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CLI::App app("Solves wing, wake and O-O blocks over a range of shapes and looks for folds");
     std::vector<double> exponents{1, 0.7};
     bool verbose = false;
@@ -146,4 +147,7 @@ int main(int argc, char** argv) {
     bool good = true;
     for (const double exponent : exponents) good = sweep(exponent, verbose) && good;
     return good ? 0 : 1;
+} catch (const std::exception& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    return 3;
 }

@@ -94,6 +94,7 @@ std::optional<Timing> time_own_cycles(const Problem& problem, std::optional<int>
                                       int repeats) {
     if (!cycles) return std::nullopt;
     std::vector<double> seconds;
+    seconds.reserve(static_cast<std::size_t>(repeats));
     for (int n = 0; n < repeats; ++n) seconds.push_back(time_cycles(problem, *cycles));
     return Timing{median(seconds), *cycles};
 }

@@ -129,6 +129,7 @@ std::optional<Problem> wake_block(const WingGrid& grid) {
     const std::vector<Vec3> trailing_edge = column(wing, last);
     const double outflow = centre + grid.far;
     std::vector<Vec3> outflow_line;
+    outflow_line.reserve(fractions.size());
     for (const double f : fractions) {
         outflow_line.push_back({outflow, f * trailing_edge.back().y, 0});
     }
