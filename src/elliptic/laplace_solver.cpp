@@ -36,11 +36,11 @@ public:
         factor(1);
     }
 
-    /// Solves every line of nodes along `axis` with the others held: first the lines of odd index,
-    /// then the others.
-    void relax(int axis) {
+    /// Solves every line of nodes along `axis` with the others held: first the lines of the one
+    /// parity, then those of the other.
+    void relax(int axis, int first_parity) {
         const auto across = static_cast<std::size_t>(1 - axis);
-        for (const int parity : {1, 0}) {
+        for (const int parity : {first_parity, 1 - first_parity}) {
             int line = unknowns_.low[across];
             if (line % 2 != parity) ++line;
             for (; line <= unknowns_.high[across]; line += 2) relax_line(axis, line);
@@ -156,44 +156,125 @@ void Level::correct_from(const Level& coarse, const std::array<AxisCoarsening, 2
     }
 }
 
-/// The coarsest network has one line of unknowns at most, so that relaxation solves it.
+/// The coarsest network has one line of unknowns at most, so that relaxation solves it. Afterwards
+/// lines are relaxed in the opposite order of before, which makes the whole a symmetric operator.
 void cycle(std::vector<Level>& levels, const LaplaceHierarchy& hierarchy, std::size_t fine) {
     Level& level = levels[fine];
-    level.relax(0);
-    level.relax(1);
-    if (fine + 1 == levels.size()) return;
-    Level& coarse = levels[fine + 1];
-    level.restrict_to(coarse, hierarchy.coarsenings()[fine]);
-    coarse.values = Field(coarse.values.extent());
-    cycle(levels, hierarchy, fine + 1);
-    level.correct_from(coarse, hierarchy.coarsenings()[fine]);
-    level.relax(1);
-    level.relax(0);
+    level.relax(0, 1);
+    level.relax(1, 1);
+    if (fine + 1 < levels.size()) {
+        Level& coarse = levels[fine + 1];
+        level.restrict_to(coarse, hierarchy.coarsenings()[fine]);
+        coarse.values = Field(coarse.values.extent());
+        cycle(levels, hierarchy, fine + 1);
+        level.correct_from(coarse, hierarchy.coarsenings()[fine]);
+    }
+    level.relax(1, 0);
+    level.relax(0, 0);
 }
 
-/// The largest change of an unknown since `before`, over the largest difference to a neighbour.
-/// Changes in the last bits of numbers up to one are none.
-double relative_change(const Level& level, const Field& before) {
-    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-    const Field& v = level.values;
-    const Unknowns& unknowns = level.unknowns();
-    double largest = 0;
-    for (int j = unknowns.low[1]; j <= unknowns.high[1]; ++j) {
-        for (int i = unknowns.low[0]; i <= unknowns.high[0]; ++i) {
-            const double change = std::abs(v(i, j) - before(i, j));
-            if (change <= rounding) continue;
-            double difference = 0;
-            for (const int d : {-1, 1}) {
-                if (i + d >= 1 && i + d <= v.extent().ni - 2)
-                    difference = std::max(difference, std::abs(v(i + d, j) - v(i, j)));
-                if (j + d >= 1 && j + d <= v.extent().nj - 2)
-                    difference = std::max(difference, std::abs(v(i, j + d) - v(i, j)));
-            }
-            // A value that is not a number must not pass for one that stayed.
-            if (!(change / difference <= largest)) largest = change / difference;
-        }
+/// Conjugate gradients with a cycle as the preconditioner, on the finest network.
+class ConjugateGradients {
+public:
+    ConjugateGradients(const LaplaceHierarchy& hierarchy, const std::array<bool, 4>& fixed,
+                       const Field& start);
+
+    /// One step; the largest change of an unknown over the largest difference to a neighbour.
+    double step();
+    double value(int i, int j) const { return values_(i + 1, j + 1); }
+
+private:
+    template <class Visit>
+    void for_unknowns(Visit&& visit) const;
+    double precondition();
+    double scale_step();
+    double relative_change(int i, int j, double change) const;
+
+    const LaplaceHierarchy& hierarchy_;
+    std::vector<Level> levels_;  ///< the finest holds residual and preconditioned residual
+    Field values_;
+    Field direction_;
+    double last_product_ = 0;  ///< of residual and preconditioned residual
+};
+
+ConjugateGradients::ConjugateGradients(const LaplaceHierarchy& hierarchy,
+                                       const std::array<bool, 4>& fixed, const Field& start)
+    : hierarchy_(hierarchy) {
+    levels_.reserve(hierarchy.networks().size());
+    for (const Conductances& network : hierarchy.networks()) levels_.emplace_back(network, fixed);
+    values_ = Field(levels_.front().values.extent());
+    direction_ = values_;
+    for (int j = 0; j < start.extent().nj; ++j) {
+        for (int i = 0; i < start.extent().ni; ++i) values_(i + 1, j + 1) = start(i, j);
     }
+}
+
+template <class Visit>
+void ConjugateGradients::for_unknowns(Visit&& visit) const {
+    const Unknowns& unknowns = levels_.front().unknowns();
+    for (int j = unknowns.low[1]; j <= unknowns.high[1]; ++j) {
+        for (int i = unknowns.low[0]; i <= unknowns.high[0]; ++i) visit(i, j);
+    }
+}
+
+/// The preconditioned residual, in the finest level's values; its product with the residual.
+double ConjugateGradients::precondition() {
+    const Conductances& network = hierarchy_.networks().front();
+    Level& finest = levels_.front();
+    for_unknowns([&](int i, int j) {
+        // Anew from the values, not carried along: rounding cannot pile up.
+        const std::size_t node = values_.extent().offset(i, j);
+        finest.sources[node] = network.current(values_.data(), node);
+    });
+    finest.values = Field(finest.values.extent());
+    cycle(levels_, hierarchy_, 0);
+    double product = 0;
+    for_unknowns([&](int i, int j) { product += finest.sources(i, j) * finest.values(i, j); });
+    return product;
+}
+
+/// How far to go along the direction, once its product with the residual is known.
+double ConjugateGradients::scale_step() {
+    const Conductances& network = hierarchy_.networks().front();
+    double power = 0;
+    for_unknowns([&](int i, int j) {
+        const std::size_t node = direction_.extent().offset(i, j);
+        power -= direction_[node] * network.current(direction_.data(), node);
+    });
+    return power > 0 ? last_product_ / power : 0;
+}
+
+double ConjugateGradients::step() {
+    const double product = precondition();
+    const double kept = last_product_ > 0 ? product / last_product_ : 0;
+    last_product_ = product;
+    for_unknowns([&](int i, int j) {
+        direction_(i, j) = levels_.front().values(i, j) + kept * direction_(i, j);
+    });
+    const double scale = scale_step();
+    for_unknowns([&](int i, int j) { values_(i, j) += scale * direction_(i, j); });
+    double largest = 0;
+    for_unknowns([&](int i, int j) {
+        const double change = relative_change(i, j, std::abs(scale * direction_(i, j)));
+        // A value that is not a number must not pass for one that stayed.
+        if (!(change <= largest)) largest = change;
+    });
     return largest;
+}
+
+/// Changes in the last bits of numbers up to one are none.
+double ConjugateGradients::relative_change(int i, int j, double change) const {
+    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+    if (change <= rounding) return 0;
+    const Field& v = values_;
+    double difference = 0;
+    for (const int d : {-1, 1}) {
+        if (i + d >= 1 && i + d <= v.extent().ni - 2)
+            difference = std::max(difference, std::abs(v(i + d, j) - v(i, j)));
+        if (j + d >= 1 && j + d <= v.extent().nj - 2)
+            difference = std::max(difference, std::abs(v(i, j + d) - v(i, j)));
+    }
+    return change / difference;
 }
 
 }  // namespace
@@ -213,25 +294,16 @@ LaplaceHierarchy::LaplaceHierarchy(const PointField& points) {
 LaplaceResult solve_laplace(const LaplaceHierarchy& hierarchy, const std::array<bool, 4>& fixed,
                             const LaplaceOptions& options, Field& values) {
     HEXWEAVE_ASSERT((fixed[0] && fixed[1]) || (fixed[2] && fixed[3]));
-    std::vector<Level> levels;
-    levels.reserve(hierarchy.networks().size());
-    for (const Conductances& network : hierarchy.networks()) levels.emplace_back(network, fixed);
-    Level& finest = levels.front();
-    const Extent extent = values.extent();
-    for (int j = 0; j < extent.nj; ++j) {
-        for (int i = 0; i < extent.ni; ++i) finest.values(i + 1, j + 1) = values(i, j);
-    }
+    ConjugateGradients iteration(hierarchy, fixed, values);
     LaplaceResult result;
     while (result.cycles < options.maximum_cycles && !result.converged) {
-        const Field before = finest.values;
-        cycle(levels, hierarchy, 0);
+        result.change = iteration.step();
         ++result.cycles;
-        result.change = relative_change(finest, before);
         if (!std::isfinite(result.change)) return result;
         result.converged = result.change <= options.tolerance;
     }
-    for (int j = 0; j < extent.nj; ++j) {
-        for (int i = 0; i < extent.ni; ++i) values(i, j) = finest.values(i + 1, j + 1);
+    for (int j = 0; j < values.extent().nj; ++j) {
+        for (int i = 0; i < values.extent().ni; ++i) values(i, j) = iteration.value(i, j);
     }
     return result;
 }

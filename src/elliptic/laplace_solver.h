@@ -36,10 +36,10 @@ private:
     std::vector<std::array<AxisCoarsening, 2>> coarsenings_;  ///< from a network to the next
 };
 
-/// Makes `values` (extent of the face) harmonic, by V-cycles with line relaxation in both
-/// directions. On the sides marked in `fixed` (imin, imax, jmin, jmax) the values are given and
-/// stay; across the others there is no flux. The rest of `values` is the start. At least one pair
-/// of opposite sides must be fixed.
+/// Makes `values` (extent of the face) harmonic, by conjugate gradients with V-cycles as the
+/// preconditioner, lines relaxed in both directions. On the sides marked in `fixed` (imin, imax,
+/// jmin, jmax) the values are given and stay; across the others there is no flux. The rest of
+/// `values` is the start. At least one pair of opposite sides must be fixed.
 LaplaceResult solve_laplace(const LaplaceHierarchy& hierarchy, const std::array<bool, 4>& fixed,
                             const LaplaceOptions& options, Field& values);
 
