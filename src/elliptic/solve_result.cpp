@@ -35,8 +35,6 @@ const char* orthogonality_end_name(OrthogonalityEnd end) {
             return "all passes done";
         case OrthogonalityEnd::edges_not_converged:
             return "the edge functions did not converge";
-        case OrthogonalityEnd::edges_not_monotone:
-            return "the edge functions do not increase";
         case OrthogonalityEnd::not_converged:
             return "the grid did not converge";
         case OrthogonalityEnd::folded:

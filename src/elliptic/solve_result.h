@@ -37,9 +37,8 @@ struct Untangling {
 
 /// How the passes that make a grid orthogonal at its boundary ended.
 enum class OrthogonalityEnd {
-    all_passes,           ///< as many as were asked
+    all_passes,           ///< as many as were asked, or more
     edges_not_converged,  ///< the harmonic edge functions were not found
-    edges_not_monotone,   ///< they do not increase along an edge: the grid is too coarse for them
     not_converged,        ///< the grid of the next pass (before the first, the grid itself)
     folded,               ///< likewise: it has folded cells
 };
@@ -50,6 +49,9 @@ struct Orthogonality {
     int passes = 0;
     int passes_asked = 0;
     int edge_cycles = 0;  ///< multigrid cycles for the edge functions, all passes
+    /// Intervals of edges, in the last pass, whose edge function had to be kept from decreasing:
+    /// the grid was slanting too much there. While there are some, more passes are made than asked.
+    int limited = 0;
     OrthogonalityEnd end = OrthogonalityEnd::all_passes;
 };
 

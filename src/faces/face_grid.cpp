@@ -36,17 +36,17 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
         if (face.solve.start_folded) fold_interior(grid.points);
         const EllipticOptions options{face.solve.tolerance, face.solve.maximum_cycles};
         grid.solve = solve_elliptic(grid.points, parameters, options);
-        const auto& sides = face.orthogonal;
-        if (std::any_of(sides.begin(), sides.end(), [](bool asked) { return asked; })) {
-            make_orthogonal(grid.points, parameters, sides,
-                            orthogonal_passes(sides, grid.flat_corners), options, grid.solve);
-        }
         grid.solve.untangling = untangle(grid.points, [&] {
             PointField transfinite = grid.points;
             interpolate_face(transfinite, parameters);
             return transfinite;
         });
         if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);
+        const auto& sides = face.orthogonal;
+        if (std::any_of(sides.begin(), sides.end(), [](bool asked) { return asked; })) {
+            make_orthogonal(grid.points, parameters, sides,
+                            orthogonal_passes(sides, grid.flat_corners), options, grid.solve);
+        }
     }
     grid.heights = hold_heights(grid.points, face.solve.heights);
     if (planar) set_plane(grid.points, {2, 0.0});

@@ -12,6 +12,10 @@ namespace hexweave {
 
 namespace {
 
+/// So many passes more are made as long as edge functions had to be kept increasing: the less the
+/// cells slant, the less they have to.
+constexpr int passes_more = 4;
+
 /// The edge functions' accuracy in shares of that of the grid, both in cells.
 constexpr double share_of_tolerance = 1e-2;
 
@@ -27,8 +31,22 @@ std::vector<double> along_side(const Field& values, Side side) {
     return line;
 }
 
-bool increases(const std::vector<double>& line) {
-    return std::adjacent_find(line.begin(), line.end(), std::greater_equal<>()) == line.end();
+/// The harmonic functions increase along an edge; across very slanting cells discrete ones may not.
+/// There an interval keeps `least_share` of what it had, and all are scaled to reach from 0 to 1.
+/// Returns how many intervals that are.
+int make_increasing(const std::vector<double>& before, std::vector<double>& line) {
+    constexpr double least_share = 0.2;
+    int limited = 0;
+    std::vector<double> sums{0};
+    for (std::size_t n = 1; n < line.size(); ++n) {
+        const double least = least_share * (before[n] - before[n - 1]);
+        const double interval = line[n] - line[n - 1];
+        if (interval < least) ++limited;
+        sums.push_back(sums.back() + std::max(interval, least));
+    }
+    if (limited == 0) return 0;
+    for (std::size_t n = 1; n < line.size(); ++n) line[n] = sums[n] / sums.back();
+    return limited;
 }
 
 /// A grid may stand for the user's only if it converged and no cell is folded.
@@ -75,14 +93,12 @@ HarmonicEdges harmonic_edges(const PointField& points, const ParameterField& par
         }
         for (const std::size_t side : {first, first + 1}) {
             edges.functions[side] = along_side(values, static_cast<Side>(side));
+            edges.limited +=
+                make_increasing(along_side(start, static_cast<Side>(side)), edges.functions[side]);
         }
     };
     solve(parameters.s, true);
     solve(parameters.t, false);
-    if (edges.end == OrthogonalityEnd::all_passes &&
-        !std::all_of(edges.functions.begin(), edges.functions.end(), increases)) {
-        edges.end = OrthogonalityEnd::edges_not_monotone;
-    }
     return edges;
 }
 
@@ -102,7 +118,9 @@ void make_orthogonal(PointField& points, ParameterField parameters,
     Orthogonality record;
     record.passes_asked = passes;
     record.end = fault_of(result);
-    while (record.end == OrthogonalityEnd::all_passes && record.passes < record.passes_asked) {
+    const int most_passes = passes + passes_more;
+    bool again = true;
+    while (record.end == OrthogonalityEnd::all_passes && again) {
         const HarmonicEdges edges =
             harmonic_edges(points, parameters, orthogonal, share_of_tolerance * options.tolerance);
         record.edge_cycles += edges.cycles;
@@ -123,6 +141,8 @@ void make_orthogonal(PointField& points, ParameterField parameters,
         points = std::move(next_points);
         parameters = std::move(next_parameters);
         ++record.passes;
+        record.limited = edges.limited;
+        again = record.passes < passes || (edges.limited > 0 && record.passes < most_passes);
     }
     result.orthogonality = record;
 }

@@ -14,11 +14,13 @@ namespace hexweave {
 /// New edge functions on the sides marked in `orthogonal`: the boundary values of harmonic s and t
 /// without flux across those sides, solved on the grid `points`, to `tolerance` of the difference
 /// between neighbours. `parameters` (s and t of the present grid) are the start, and give the edge
-/// functions of the other sides. [Spekreijse & Boerstoel 1996, section 2.4, eq. (46)]
+/// functions of the other sides. No interval of a marked side shrinks to less than a fifth, so that
+/// all functions increase. [Spekreijse & Boerstoel 1996, section 2.4, eq. (46)]
 struct HarmonicEdges {
     EdgeFunctions functions;
     OrthogonalityEnd end = OrthogonalityEnd::all_passes;  ///< why they cannot be used, where not
-    int cycles = 0;                                       ///< of multigrid
+    int limited = 0;  ///< intervals of edges that were kept from vanishing
+    int cycles = 0;   ///< of multigrid
 };
 HarmonicEdges harmonic_edges(const PointField& points, const ParameterField& parameters,
                              const std::array<bool, 4>& orthogonal, double tolerance);
@@ -30,9 +32,10 @@ int orthogonal_passes(const std::array<bool, 4>& orthogonal,
                       const std::array<bool, 4>& flat_corners);
 
 /// Replaces a converged grid without folded cells, the solution for `parameters`, by an orthogonal
-/// one. A pass whose grid does not converge or has folded cells is undone, and the grid before it
-/// is the result. `result` is continued: cycles and history of all passes, the rest of the last
-/// one kept; its `orthogonality` says how far it got.
+/// one: in `passes` passes, or a few more while the grid slants too much for its edge functions. A
+/// pass whose grid does not converge or has folded cells is undone, and the grid before it is the
+/// result. `result` is continued: cycles and history of all passes, the rest of the last one kept;
+/// its `orthogonality` says how far it got.
 void make_orthogonal(PointField& points, ParameterField parameters,
                      const std::array<bool, 4>& orthogonal, int passes,
                      const EllipticOptions& options, SolveResult& result);

@@ -45,6 +45,7 @@ Json orthogonality(const Orthogonality& o) {
     return {{"passes", o.passes},
             {"passes_asked", o.passes_asked},
             {"edge_cycles", o.edge_cycles},
+            {"limited", o.limited},
             {"end", orthogonality_end_name(o.end)}};
 }
 

@@ -66,10 +66,15 @@ std::string orthogonality_line(const SolveResult& result, bool verbose) {
     if (!result.orthogonality) return {};
     const Orthogonality& o = *result.orthogonality;
     const bool complete = o.end == OrthogonalityEnd::all_passes;
-    if (complete && !verbose) return {};
-    return fmt::format("  orthogonal: {} of {} done{}{}\n", o.passes,
-                       counted(static_cast<std::size_t>(o.passes_asked), "pass", "passes"),
-                       complete ? "" : ", then ", complete ? "" : orthogonality_end_name(o.end));
+    if (complete && o.limited == 0 && !verbose) return {};
+    std::string text = fmt::format("  orthogonal: {} done",
+                                   counted(static_cast<std::size_t>(o.passes), "pass", "passes"));
+    if (!complete) {
+        text += fmt::format(" of {}, then {}", o.passes_asked, orthogonality_end_name(o.end));
+    } else if (o.limited > 0) {
+        text += fmt::format(", edge functions limited in {} intervals", o.limited);
+    }
+    return text + "\n";
 }
 
 std::string solve_table(const Report& report, bool verbose) {

@@ -158,6 +158,30 @@ TEST_CASE("grid lines meet the sides asked at right angles, the nearer the finer
     }
 }
 
+TEST_CASE("edge functions increase however much the grid slants, and more passes make up for it") {
+    // A wave with overhangs: the lines between it and the top are far from upright.
+    const auto wave = [](double u, double v) {
+        const double shift = 0.05 * std::sin(pi * u) * std::sin(8 * pi * u);
+        const double rise = 0.22 * std::sin(4 * pi * u);
+        return Vec3{u - (1 - v) * shift, (1 - v) * rise + v * (0.1 + 0.9 * v), 0};
+    };
+    Solved grid = solved(64, 24, wave);
+    REQUIRE(grid.result.folded_after == 0);
+    const HarmonicEdges edges =
+        harmonic_edges(grid.points, grid.parameters, {false, false, true, false}, 1e-8);
+    CHECK(edges.end == OrthogonalityEnd::all_passes);
+    CHECK(edges.limited > 0);
+    for (const auto& line : edges.functions) {
+        CHECK(line.front() == 0);
+        CHECK(line.back() == 1);
+        CHECK(std::adjacent_find(line.begin(), line.end(), std::greater_equal<>()) == line.end());
+    }
+    make_orthogonal(grid.points, grid.parameters, {false, false, true, false}, 2, {1e-4, 200},
+                    grid.result);
+    CHECK(grid.result.orthogonality->passes > 2);
+    CHECK(grid.result.folded_after == 0);
+}
+
 TEST_CASE("the passes' cycles and displacements are told one after another") {
     Solved grid = solved(16, 16, slanting_annulus);
     const SolveResult first = grid.result;
