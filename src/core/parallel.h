@@ -5,6 +5,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 
@@ -36,6 +37,27 @@ void parallel_for(std::size_t count, Task&& task) {
         }
     }
     if (failure) std::rethrow_exception(failure);
+}
+
+/// Calls task(begin, end) for consecutive ranges that cover 0 .. count, one range per thread: for
+/// loops inside a single grid. `cost` of one index is in rough nanoseconds; what is not worth
+/// waking threads for, or is called from within parallel_for already, runs as one range. The task
+/// must not throw, and must not depend on how the ranges are cut.
+template <class Task>
+void parallel_blocks(int count, int cost, Task&& task) {
+    constexpr double worth_waking = 200000;
+    const int ranges = omp_in_parallel() != 0 ? 1 : std::min(omp_get_max_threads(), count);
+    if (ranges <= 1 || static_cast<double>(count) * cost < worth_waking) {
+        if (count > 0) task(0, count);
+        return;
+    }
+#pragma omp parallel for schedule(static, 1) num_threads(ranges) default(shared)
+    for (int range = 0; range < ranges; ++range) {
+        const auto cut = [&](int n) {
+            return static_cast<int>(static_cast<long>(count) * n / ranges);
+        };
+        task(cut(range), cut(range + 1));
+    }
 }
 
 }  // namespace hexweave
