@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "elliptic/line_relaxation.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/parallel.h"
+#include "elliptic/lanes.h"
+
+namespace hexweave {
+
+namespace {
+
+/// Rough nanoseconds per node of a sweep, for the decision whether threads are worth waking.
+constexpr int cost_of_node = 10;
+
+/// One colour's nodes of one row: pointers to the first of them, and how to reach the others.
+struct Nodes {
+    const float* stencils;
+    const float* residuals;
+    float* corrections;
+    std::ptrdiff_t length;  ///< from one component to the next
+    std::ptrdiff_t previous;
+    std::ptrdiff_t next;
+    std::ptrdiff_t stride_j;  ///< in corrections
+    std::ptrdiff_t stride_k;
+    int count;
+};
+
+Nodes nodes_of_row(Level& level, const RowSegment& segment, int j, int k) {
+    return {level.stencils.row(j, k) + segment.first,
+            level.residuals.row(j, k) + segment.first,
+            level.corrections.row(j, k) + segment.first,
+            level.shape.length(),
+            segment.previous,
+            segment.next,
+            level.corrections.stride_j(),
+            level.corrections.stride_k(),
+            segment.count};
+}
+
+/// The operator without the nodes of the line along `axis` itself, applied to the corrections v
+/// whose stencil numbers start at c (each `length` after the last).
+template <int axes, int axis>
+[[gnu::always_inline]] inline Lanes off_line_part(const float* c, std::ptrdiff_t length,
+                                                  const float* v, const Nodes& d) {
+    constexpr int mixed = axes;
+    constexpr int first = axes == 3 ? 6 : 3;
+    const auto stencil = [=](int n) __attribute__((always_inline)) {
+        return lanes_at(c + n * length);
+    };
+    const auto at = [=](std::ptrdiff_t offset) __attribute__((always_inline)) {
+        return lanes_at(v + offset);
+    };
+    const std::ptrdiff_t p = d.previous;
+    const std::ptrdiff_t n = d.next;
+    const std::ptrdiff_t j = d.stride_j;
+    Lanes sum = stencil(mixed) * ((at(n + j) - at(n - j)) - (at(p + j) - at(p - j)));
+    if constexpr (axis != 0) {
+        sum += stencil(0) * (at(n) + at(p)) + stencil(first) * (at(n) - at(p));
+    }
+    if constexpr (axis != 1) {
+        sum += stencil(1) * (at(j) + at(-j)) + stencil(first + 1) * (at(j) - at(-j));
+    }
+    if constexpr (axes == 3) {
+        const std::ptrdiff_t k = d.stride_k;
+        sum += stencil(4) * ((at(n + k) - at(n - k)) - (at(p + k) - at(p - k)));
+        sum += stencil(5) * ((at(j + k) - at(j - k)) - (at(k - j) - at(-j - k)));
+        if constexpr (axis != 2) {
+            sum += stencil(2) * (at(k) + at(-k)) + stencil(8) * (at(k) - at(-k));
+        }
+    }
+    return sum;
+}
+
+/// One step of the elimination along a line that crosses rows: d <- (l d- - rhs) / (1 - l u-) in
+/// place of the corrections, and the upper factor u / (1 - l u-). `back` leads to the node before.
+template <int axes, int components, int axis>
+void eliminate_across(const Nodes& row, std::ptrdiff_t back, const float* upper_before,
+                      float* upper) {
+    constexpr int first = axes == 3 ? 6 : 3;
+    const Nodes d = row;
+    for (int m = 0; m < d.count; m += lane_count) {
+        const float* const c = d.stencils + m;
+        const Lanes second = lanes_at(c + axis * d.length);
+        const Lanes slope = lanes_at(c + (first + axis) * d.length);
+        const Lanes below = second - slope;
+        const Lanes inverse = 1.0F / (1.0F - below * lanes_at(upper_before + m));
+        for (std::ptrdiff_t n = 0; n < components; ++n) {
+            float* const v = d.corrections + n * d.length + m;
+            const Lanes right = lanes_at(d.residuals + n * d.length + m) -
+                                off_line_part<axes, axis>(c, d.length, v, d);
+            lanes_at(v) = (below * lanes_at(v - back) - right) * inverse;
+        }
+        lanes_at(upper + m) = (second + slope) * inverse;
+    }
+}
+
+template <int components>
+void substitute_across(const Nodes& row, std::ptrdiff_t ahead, const float* upper) {
+    for (int m = 0; m < row.count; m += lane_count) {
+        for (std::ptrdiff_t n = 0; n < components; ++n) {
+            float* const v = row.corrections + n * row.length + m;
+            lanes_at(v) += lanes_at(upper + m) * lanes_at(v + ahead);
+        }
+    }
+}
+
+/// The lines along j of one colour in layer k, side by side.
+template <int axes, int components>
+void relax_rows(Level& level, const RowSegment& segment, int k) {
+    const int nodes = level.extent.nj;
+    const std::ptrdiff_t stride = level.corrections.stride_j();
+    std::vector<float> upper(
+        static_cast<std::size_t>(nodes) * static_cast<std::size_t>(segment.count), 0.0F);
+    for (int j = 1; j < nodes - 1; ++j) {
+        float* const own = upper.data() + static_cast<std::ptrdiff_t>(j) * segment.count;
+        eliminate_across<axes, components, 1>(nodes_of_row(level, segment, j, k), stride,
+                                              own - segment.count, own);
+    }
+    for (int j = nodes - 3; j > 0; --j) {
+        substitute_across<components>(
+            nodes_of_row(level, segment, j, k), stride,
+            upper.data() + static_cast<std::ptrdiff_t>(j) * segment.count);
+    }
+}
+
+/// The lines along j in layer k, colour by colour; on a face several threads share a colour.
+template <int axes, int components>
+void relax_layer_across(Level& level, int k) {
+    for (const RowSegment& segment : level.shape.segments()) {
+        const int cost = level.extent.nj * lane_count * cost_of_node;
+        parallel_blocks(segment.count / lane_count, cost, [&](int begin, int end) {
+            RowSegment part = segment;
+            part.first += begin * lane_count;
+            part.count = (end - begin) * lane_count;
+            relax_rows<axes, components>(level, part, k);
+        });
+    }
+}
+
+/// What the elimination of lines along i needs, transposed: [node][lane].
+struct TransposedLines {
+    std::vector<float> below;
+    std::vector<float> upper;
+    std::array<std::vector<float>, 3> values;
+    std::vector<float> row;  ///< scratch: below, upper and right hand sides of one row, as stored
+
+    explicit TransposedLines(const RowShape& shape) {
+        const std::size_t size = static_cast<std::size_t>(shape.nodes()) * lane_count;
+        below.assign(size, 0.0F);
+        upper.assign(size, 0.0F);
+        for (auto& v : values) v.assign(size, 0.0F);
+        row.assign(static_cast<std::size_t>(shape.length()) * 5, 0.0F);
+    }
+};
+
+template <int axes, int components>
+void right_hand_side_along(const Nodes& nodes, float* scratch) {
+    constexpr int first = axes == 3 ? 6 : 3;
+    const Nodes d = nodes;
+    for (int m = 0; m < d.count; m += lane_count) {
+        const float* const c = d.stencils + m;
+        const Lanes second = lanes_at(c);
+        const Lanes slope = lanes_at(c + first * d.length);
+        lanes_at(scratch + m) = second - slope;
+        lanes_at(scratch + d.length + m) = second + slope;
+        for (std::ptrdiff_t n = 0; n < components; ++n) {
+            lanes_at(scratch + (2 + n) * d.length + m) =
+                lanes_at(d.residuals + n * d.length + m) -
+                off_line_part<axes, 0>(c, d.length, d.corrections + n * d.length + m, d);
+        }
+    }
+}
+
+template <int components>
+void solve_along(int ni, TransposedLines& t) {
+    for (std::ptrdiff_t i = 1; i < ni - 1; ++i) {
+        const std::ptrdiff_t here = i * lane_count;
+        const std::ptrdiff_t before = here - lane_count;
+        const Lanes below = lanes_at(t.below.data() + here);
+        Lanes& upper = lanes_at(t.upper.data() + here);
+        const Lanes inverse = 1.0F / (1.0F - below * lanes_at(t.upper.data() + before));
+        for (std::size_t n = 0; n < components; ++n) {
+            Lanes& v = lanes_at(t.values[n].data() + here);
+            v = (below * lanes_at(t.values[n].data() + before) - v) * inverse;
+        }
+        upper *= inverse;
+    }
+    for (std::ptrdiff_t i = ni - 3; i > 0; --i) {
+        const std::ptrdiff_t here = i * lane_count;
+        const Lanes upper = lanes_at(t.upper.data() + here);
+        for (std::size_t n = 0; n < components; ++n) {
+            lanes_at(t.values[n].data() + here) +=
+                upper * lanes_at(t.values[n].data() + here + lane_count);
+        }
+    }
+}
+
+/// Lines along i through the rows j, j + 2, .. j + 2 (lanes - 1) of layer k.
+template <int axes, int components>
+void relax_along(Level& level, int j, int lanes, int k, TransposedLines& t) {
+    const int ni = level.extent.ni;
+    const std::ptrdiff_t length = level.shape.length();
+    const auto segments = level.shape.segments();
+    for (int lane = 0; lane < lanes; ++lane) {
+        float* const scratch = t.row.data();
+        for (const RowSegment& segment : segments) {
+            right_hand_side_along<axes, components>(nodes_of_row(level, segment, j + 2 * lane, k),
+                                                    scratch + segment.first);
+        }
+        for (int i = 1; i < ni - 1; ++i) {
+            const std::size_t to = static_cast<std::size_t>(i * lane_count + lane);
+            const float* const from = scratch + level.shape.at(i);
+            t.below[to] = from[0];
+            t.upper[to] = from[length];
+            for (std::size_t n = 0; n < components; ++n) {
+                t.values[n][to] = from[(2 + static_cast<std::ptrdiff_t>(n)) * length];
+            }
+        }
+    }
+    solve_along<components>(ni, t);
+    for (int lane = 0; lane < lanes; ++lane) {
+        float* const row = level.corrections.row(j + 2 * lane, k);
+        for (int i = 1; i < ni - 1; ++i) {
+            const std::size_t from = static_cast<std::size_t>(i * lane_count + lane);
+            float* const to = row + level.shape.at(i);
+            for (std::size_t n = 0; n < components; ++n) {
+                to[static_cast<std::ptrdiff_t>(n) * length] = t.values[n][from];
+            }
+        }
+    }
+}
+
+/// The lines along i in layer k, colour by colour; on a face several threads share a colour.
+template <int axes, int components>
+void relax_layer_along(Level& level, int k) {
+    const int last = level.extent.nj - 2;
+    for (const int first : {1, 2}) {
+        const int lines = (last - first) / 2 + 1;
+        const int batches = last < first ? 0 : (lines + lane_count - 1) / lane_count;
+        const int cost = level.extent.ni * lane_count * cost_of_node;
+        parallel_blocks(batches, cost, [&](int begin, int end) {
+            TransposedLines transposed(level.shape);
+            for (int batch = begin; batch < end; ++batch) {
+                const int done = batch * lane_count;
+                relax_along<axes, components>(level, first + 2 * done,
+                                              std::min(lane_count, lines - done), k, transposed);
+            }
+        });
+    }
+}
+
+/// Calls task(k) for the interior layers of one parity; of a face for its only one, at parity 0.
+template <class Task>
+void for_layers(const Level& level, int parity, Task&& task) {
+    const int first = level.axes == 3 ? 2 - parity : 0;
+    const int count = level.axes == 3 ? (level.last_k() - first) / 2 + 1 : 1 - parity;
+    const int cost = level.extent.ni * level.extent.nj * cost_of_node;
+    parallel_blocks(count, cost, [&](int begin, int end) {
+        for (int n = begin; n < end; ++n) task(first + 2 * n);
+    });
+}
+
+/// Lines along i, then lines along j (backward: j, then i), layer by layer while they are in cache.
+template <int axes, int components>
+void relax_layers(Level& level, SweepOrder order) {
+    for (int parity = 1; parity >= 0; --parity) {
+        for_layers(level, parity, [&](int k) {
+            if (order == SweepOrder::backward) relax_layer_across<axes, components>(level, k);
+            relax_layer_along<axes, components>(level, k);
+            if (order == SweepOrder::forward) relax_layer_across<axes, components>(level, k);
+        });
+    }
+}
+
+/// Lines along k of one colour through the rows first, first + 2, .. of `count`: layer by layer
+/// over all of them, so that memory is read in its order.
+template <int components>
+void relax_columns(Level& level, const RowSegment& segment, int first, int count) {
+    const int nodes = level.extent.nk;
+    const std::ptrdiff_t stride = level.corrections.stride_k();
+    const std::ptrdiff_t layer = static_cast<std::ptrdiff_t>(count) * segment.count;
+    std::vector<float> upper(static_cast<std::size_t>(nodes * layer), 0.0F);
+    for (int k = 1; k < nodes - 1; ++k) {
+        for (int n = 0; n < count; ++n) {
+            float* const own =
+                upper.data() + k * layer + static_cast<std::ptrdiff_t>(n) * segment.count;
+            eliminate_across<3, components, 2>(nodes_of_row(level, segment, first + 2 * n, k),
+                                               stride, own - layer, own);
+        }
+    }
+    for (int k = nodes - 3; k > 0; --k) {
+        for (int n = 0; n < count; ++n) {
+            substitute_across<components>(
+                nodes_of_row(level, segment, first + 2 * n, k), stride,
+                upper.data() + k * layer + static_cast<std::ptrdiff_t>(n) * segment.count);
+        }
+    }
+}
+
+template <int components>
+void relax_columns(Level& level) {
+    const int cost = level.extent.ni * level.extent.nk * cost_of_node;
+    for (int parity = 1; parity >= 0; --parity) {
+        const int first = 2 - parity;
+        const int count = (level.extent.nj - 2 - first) / 2 + 1;
+        for (const RowSegment& segment : level.shape.segments()) {
+            parallel_blocks(count, cost, [&](int begin, int end) {
+                relax_columns<components>(level, segment, first + 2 * begin, end - begin);
+            });
+        }
+    }
+}
+
+template <int axes, int components>
+void relax(Level& level, SweepOrder order) {
+    if constexpr (axes == 3) {
+        if (order == SweepOrder::backward) relax_columns<components>(level);
+    }
+    relax_layers<axes, components>(level, order);
+    if constexpr (axes == 3) {
+        if (order == SweepOrder::forward) relax_columns<components>(level);
+    }
+}
+
+}  // namespace
+
+void relax_lines(Level& level, SweepOrder order) {
+    if (level.axes == 3) {
+        relax<3, 3>(level, order);
+    } else if (level.components == 3) {
+        relax<2, 3>(level, order);
+    } else {
+        relax<2, 2>(level, order);
+    }
+}
+
+}  // namespace hexweave
