@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "elliptic/picard_iteration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "elliptic/acceleration.h"
+#include "elliptic/cell_units.h"
+#include "elliptic/convergence.h"
+#include "elliptic/grid_operator.h"
+#include "elliptic/linear_solver.h"
+
+namespace hexweave {
+
+namespace {
+
+constexpr std::size_t acceleration_window = 5;
+
+/// Tighter linear solves do not save Picard steps, looser ones spoil the acceleration.
+constexpr LinearOptions linear_options{3e-2, 100};
+
+/// After so many steps without a smaller displacement than ever before, steps are shortened.
+constexpr int patience = 15;
+constexpr double shortening = 0.6;
+constexpr double least_damping = 0.2;
+
+constexpr double damping_of_plain_steps = 0.5;
+
+Nodes to_nodes(const PointField& points) {
+    Nodes nodes(points.extent().nodes());
+    for (std::size_t p = 0; p < nodes.size(); ++p) nodes[p] = points[p];
+    return nodes;
+}
+
+Nodes to_nodes(const ParameterField& parameters, int axes) {
+    Nodes nodes(parameters.s.extent().nodes());
+    for (std::size_t p = 0; p < nodes.size(); ++p) {
+        nodes[p] = {parameters.s[p], parameters.t[p], axes == 3 ? parameters.u[p] : 0};
+    }
+    return nodes;
+}
+
+class PicardIteration {
+public:
+    PicardIteration(const PointField& points, const ParameterField& parameters, Safeguard kind)
+        : accelerated_(kind == Safeguard::anderson_picard),
+          damping_(accelerated_ ? 1 : damping_of_plain_steps),
+          lattice_(points.extent()),
+          points_(to_nodes(points)),
+          parameters_(to_nodes(parameters, lattice_.axes)),
+          best_(points_),
+          residual_(points_.size()),
+          step_(points_.size()),
+          linear_(lattice_),
+          acceleration_(lattice_, acceleration_window) {}
+
+    /// Iterates and fills in the result but for the counts of folded cells.
+    void run(const EllipticOptions& options, SolveResult& result);
+
+    /// Writes the interior nodes back.
+    void write(PointField& points) const {
+        for_interior(lattice_, [&](std::size_t p) { points.set(p, points_[p]); });
+    }
+
+private:
+    double picard_step();
+    void judge(double displacement);
+    double take_step();
+    bool retreat();
+
+    bool accelerated_;
+    double damping_;
+    NodeLattice lattice_;
+    Nodes points_;
+    Nodes parameters_;
+    Nodes best_;  ///< where the displacement was smallest
+    Nodes residual_;
+    Nodes step_;
+    Stencils stencils_;
+    LinearSolver linear_;
+    Acceleration acceleration_;
+    bool step_is_solved_ = false;  ///< the linear solver got as far as it was asked
+    double least_displacement_ = std::numeric_limits<double>::infinity();
+    int since_best_ = 0;
+};
+
+/// Sets step_ to the displacement that solves the equations frozen at points_; its size in cells.
+double PicardIteration::picard_step() {
+    assemble_stencils(lattice_, points_, parameters_, stencils_);
+    apply_stencils(lattice_, stencils_, points_, residual_);
+    step_is_solved_ = linear_.solve(stencils_, residual_, linear_options, step_);
+    return largest_displacement(lattice_, points_, step_);
+}
+
+/// Keeps the best grid, and shortens the steps when there was no better one for long. From a folded
+/// start displacements rise before they fall, so a single rise means nothing.
+void PicardIteration::judge(double displacement) {
+    if (displacement < least_displacement_) {
+        least_displacement_ = displacement;
+        best_ = points_;
+        since_best_ = 0;
+    } else if (++since_best_ % patience == 0) {
+        damping_ = std::max(shortening * damping_, least_damping);
+        acceleration_.restart();
+    }
+}
+
+/// The size in cells of the step taken.
+double PicardIteration::take_step() {
+    if (accelerated_) {
+        acceleration_.accelerate(points_, damping_, step_);
+    } else {
+        for_interior(lattice_, [&](std::size_t p) { step_[p] = damping_ * step_[p]; });
+    }
+    const double size = largest_displacement(lattice_, points_, step_);
+    for_interior(lattice_, [&](std::size_t p) { points_[p] += step_[p]; });
+    return size;
+}
+
+/// Back to the best grid, with shorter steps from there; false when that was tried before.
+bool PicardIteration::retreat() {
+    points_ = best_;
+    damping_ *= shortening;
+    acceleration_.restart();
+    return damping_ >= least_damping;
+}
+
+void PicardIteration::run(const EllipticOptions& options, SolveResult& result) {
+    std::vector<double> steps;
+    for (int n = 0; n < options.maximum_cycles; ++n) {
+        const double displacement = picard_step();
+        ++result.cycles;
+        result.history.push_back(displacement);
+        if (!std::isfinite(displacement)) {
+            steps.clear();
+            if (retreat()) continue;
+            result.status = SolveStatus::diverged;
+            return;
+        }
+        judge(displacement);
+        steps.push_back(std::max(displacement, take_step()));
+        result.displacement = steps.back();
+        if (step_is_solved_ && has_converged(steps, options.tolerance)) {
+            result.status = SolveStatus::converged;
+            return;
+        }
+    }
+    result.status = SolveStatus::not_converged;
+    if (since_best_ > 0) points_ = best_;
+}
+
+}  // namespace
+
+void iterate_picard(PointField& points, const ParameterField& parameters,
+                    const EllipticOptions& options, Safeguard kind, SolveResult& result) {
+    PicardIteration iteration(points, parameters, kind);
+    iteration.run(options, result);
+    iteration.write(points);
+}
+
+}  // namespace hexweave
