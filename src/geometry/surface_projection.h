@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parameters of points on a surface: the nearest point of the surface to a point, and the
+// parameters along a line of points.
+#pragma once
+
+#include <vector>
+
+#include "core/vec3.h"
+#include "geometry/surface.h"
+
+namespace hexweave {
+
+/// A place on a surface found by projection. Parameters may lie outside the range along which the
+/// surface is closed, when they were found as a continuation.
+struct SurfacePoint {
+    SurfaceParameters parameters;
+    Vec3 position;
+    double distance = 0;
+};
+
+/// Finds nearest points; keeps its own copy of the surface and a net of samples of it.
+class SurfaceProjection {
+public:
+    explicit SurfaceProjection(Surface surface);
+
+    const Surface& surface() const { return surface_; }
+    /// The diagonal of the box around the samples.
+    double size() const { return size_; }
+
+    /// The point of the surface nearest to p, from the samples that are nearer than their
+    /// neighbours; the first of equals. Parameters are in the range. The position of a point on the
+    /// surface is met to 1e-12 of its size, also at edges that shrink to a line or a point, where
+    /// its parameters are less accurate or not even unique.
+    SurfacePoint nearest(const Vec3& p) const;
+
+    /// The nearest point that is reached downhill from `start`, whose parameters it continues.
+    SurfacePoint nearest_from(const Vec3& p, const SurfaceParameters& start) const;
+
+    /// The parameters along a line of points on the surface, each continued from the one before:
+    /// where the line crosses a seam they leave the range.
+    std::vector<SurfacePoint> along(const std::vector<Vec3>& line) const;
+
+private:
+    static constexpr int intervals_ = 48;
+
+    const Vec3& sample(int i, int j) const {
+        return samples_[static_cast<std::size_t>(i + j * (intervals_ + 1))];
+    }
+    SurfaceParameters net_parameters(int i, int j) const;
+
+    Surface surface_;
+    std::vector<Vec3> samples_;
+    double size_ = 0;
+};
+
+}  // namespace hexweave
