@@ -8,7 +8,7 @@
 
 namespace hexweave {
 
-/// Zeroed memory for `bytes`; throws std::bad_alloc.
+/// Memory for `bytes`, not set to anything; throws std::bad_alloc.
 void* allocate_pages(std::size_t bytes);
 void free_pages(void* memory, std::size_t bytes);
 

@@ -161,6 +161,61 @@ Problem meander(int ni, int nj, double angle) {
     return problem;
 }
 
+Problem ring(int ni, int nj, double first) {
+    Problem problem{PointField({ni, nj, 1}), {}};
+    const std::vector<double> f = geometric(nj - 1, first);
+    for (int i = 0; i < ni; ++i) {
+        const double angle = i == ni - 1 ? 0 : 2 * pi * i / (ni - 1);
+        problem.points.set(i, 0, 0, {0.5 * std::cos(angle), 0.06 * std::sin(angle), 0});
+        problem.points.set(i, nj - 1, 0, {20 * std::cos(angle), 20 * std::sin(angle), 0});
+    }
+    for (int j = 1; j < nj - 1; ++j) {
+        for (const int i : {0, ni - 1}) {
+            problem.points.set(i, j, 0, {0.5 + 19.5 * f[static_cast<std::size_t>(j)], 0, 0});
+        }
+    }
+    problem.parameters = straight_line_parameters(problem.points);
+    interpolate(problem.points, problem.parameters);
+    return problem;
+}
+
+Problem clustered_saddle(int ni, int nj, double first) {
+    const std::vector<double> f = geometric(nj - 1, first);
+    const auto along_j = [&](double eta) {
+        return f[static_cast<std::size_t>(std::lround(eta * (nj - 1)))];
+    };
+    Problem problem;
+    problem.points = sample({ni, nj, 1}, [&](double xi, double eta, double) {
+        const Vec3 p = annulus({along_j(eta), 1 - xi * (0.8 + 0.2 * xi), 0});
+        return Vec3{p.x, p.y, 0.1 * p.x * p.y + 0.2 * std::sin(2 * p.x)};
+    });
+    problem.parameters = straight_line_parameters(problem.points);
+    interpolate(problem.points, problem.parameters);
+    return problem;
+}
+
+Problem clustered_block(const Extent& extent, double first) {
+    const std::vector<double> f = geometric(extent.nk - 1, first);
+    const auto along_k = [&](double zeta) {
+        return f[static_cast<std::size_t>(std::lround(zeta * (extent.nk - 1)))];
+    };
+    Problem problem;
+    problem.points = sample(extent, [&](double xi, double eta, double zeta) {
+        const double height = along_k(zeta);
+        const double turn = 0.6 * xi + 0.3 * height;
+        const double floor = 0.1 * std::sin(2 * pi * xi) * std::sin(pi * eta);
+        const double across = eta - 0.5 + 0.1 * std::sin(pi * xi);
+        return Vec3{2 * xi + 0.3 * height * height,
+                    across * std::cos(turn) - height * std::sin(turn),
+                    across * std::sin(turn) + height * std::cos(turn) + (1 - height) * floor};
+    });
+    problem.parameters = sample_parameters(extent, [&](double xi, double eta, double zeta) {
+        return Vec3{xi, eta, along_k(zeta)};
+    });
+    interpolate(problem.points, problem.parameters);
+    return problem;
+}
+
 Problem wavy_cube(int n) {
     const Extent e{n, n, n};
     const auto sine = [](double v) { return std::sin(2 * pi * v); };

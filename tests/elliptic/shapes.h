@@ -36,6 +36,14 @@ std::vector<double> geometric(int n, double first);
 /// The region above a meandering wall with overhangs of `angle` radians: points thick at the wall
 /// (first cell 1e-4 of the height), interior by transfinite interpolation.
 Problem meander(int ni, int nj, double angle);
+/// An O-block round a slender ellipse: cut along a straight line from its rear end to the far
+/// circle of 20 chords; first cell `first` of the radius. Interior by transfinite interpolation.
+Problem ring(int ni, int nj, double first);
+/// A minimal surface over a quarter of an annulus, with a boundary that leaves every plane; the
+/// first cells at jmin `first` of the lines' length.
+Problem clustered_saddle(int ni, int nj, double first);
+/// A bent and twisted block above a bumpy floor, with first cells `first` of the height at kmin.
+Problem clustered_block(const Extent& extent, double first);
 /// A cube with deeply waved faces, uniform, `n` nodes along each axis; interior by transfinite
 /// interpolation.
 Problem wavy_cube(int n);
