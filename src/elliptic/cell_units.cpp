@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hexweave {
 
@@ -59,6 +60,19 @@ double largest_displacement(const NodeLattice& lattice, const Nodes& points,
         }
     });
     return largest;
+}
+
+double rounding_in_cells(const NodeLattice& lattice, const Nodes& points) {
+    double largest = 0;
+    for_interior(lattice, [&](std::size_t p) {
+        const CellFrame frame = cell_frame(lattice, points, p, least_sine_of_measure);
+        for (const Vec3& row : {frame.row_1, frame.row_2, frame.row_3}) {
+            const Vec3& x = points[p];
+            largest = std::max(
+                largest, std::abs(row.x * x.x) + std::abs(row.y * x.y) + std::abs(row.z * x.z));
+        }
+    });
+    return std::numeric_limits<double>::epsilon() * largest;
 }
 
 }  // namespace hexweave

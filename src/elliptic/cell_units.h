@@ -32,4 +32,8 @@ CellFrame cell_frame(const NodeLattice& lattice, const Nodes& points, std::size_
 double largest_displacement(const NodeLattice& lattice, const Nodes& points,
                             const Nodes& displacement);
 
+/// What the rounding of coordinates to double precision is in cells, at the interior node where it
+/// is most: moves of this size are no moves.
+double rounding_in_cells(const NodeLattice& lattice, const Nodes& points);
+
 }  // namespace hexweave

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "elliptic/cell_units.h"
 #include "elliptic/convergence.h"
 #include "elliptic/fold_count.h"
 #include "elliptic/multigrid.h"
@@ -25,12 +27,27 @@ constexpr int most_cycles = 60;
 /// Displacements beyond this many cells never come back.
 constexpr double hopeless_displacement = 1e8;
 
+/// Displacements come to rest at so many times the rounding of coordinates: the coefficients are
+/// made of differences of these, and errors add up from node to node. Seen: up to 23.
+constexpr double rounding_multiple = 50;
+/// ... but where that is more than this, in cells, rounding spoils the grid.
+constexpr double most_rounding = 1e-3;
+
 /// Cycles with relaxed corrections, on coarse grids that are not very coarse: what the meander of
 /// 1.9 radians takes.
 CycleOptions damped(CycleOptions options) {
     options.relaxation = 0.4;
     options.least_nodes = std::max(options.least_nodes, 65);
     return options;
+}
+
+/// Whether displacements of this size are as small as double precision lets them become.
+bool is_rounding(double displacement, const PointField& points) {
+    if (!(displacement <= most_rounding)) return false;
+    Nodes nodes(points.extent().nodes());
+    for (std::size_t p = 0; p < nodes.size(); ++p) nodes[p] = points[p];
+    const double rounding = rounding_in_cells(NodeLattice(points.extent()), nodes);
+    return displacement <= rounding_multiple * rounding;
 }
 
 /// Cycles until convergence, or until there is no hope of it. Returns whether the points may stand.
@@ -60,9 +77,16 @@ bool run_cycles(PointField& points, const ParameterField& parameters, const Cycl
             return true;
         }
     }
+    PointField last = points;
+    multigrid.write(last);
+    if (is_rounding(least, last)) {
+        result.status = SolveStatus::converged;
+        points = std::move(last);
+        return true;
+    }
     result.status = SolveStatus::not_converged;
     const bool ran_out = allowed == options.maximum_cycles && since_least < patience;
-    if (ran_out) multigrid.write(points);
+    if (ran_out) points = std::move(last);
     return ran_out;
 }
 

@@ -69,6 +69,7 @@ private:
     void judge(double displacement);
     double take_step();
     bool retreat();
+    bool is_known(double displacement) const;
 
     bool accelerated_;
     double damping_;
@@ -127,6 +128,12 @@ bool PicardIteration::retreat() {
     return damping_ >= least_damping;
 }
 
+/// Whether the linear solver got far enough for the displacement to mean something. What is mere
+/// rounding it cannot solve for, and need not.
+bool PicardIteration::is_known(double displacement) const {
+    return step_is_solved_ || displacement <= rounding_in_cells(lattice_, points_);
+}
+
 void PicardIteration::run(const EllipticOptions& options, SolveResult& result) {
     std::vector<double> steps;
     for (int n = 0; n < options.maximum_cycles; ++n) {
@@ -142,7 +149,7 @@ void PicardIteration::run(const EllipticOptions& options, SolveResult& result) {
         judge(displacement);
         steps.push_back(std::max(displacement, take_step()));
         result.displacement = steps.back();
-        if (step_is_solved_ && has_converged(steps, options.tolerance)) {
+        if (has_converged(steps, options.tolerance) && is_known(displacement)) {
             result.status = SolveStatus::converged;
             return;
         }

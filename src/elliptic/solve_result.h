@@ -11,7 +11,7 @@ namespace hexweave {
 
 enum class SolveStatus {
     algebraic,      ///< nothing was solved, as asked
-    converged,      ///< the estimated remaining displacement is below the tolerance
+    converged,      ///< the estimated remaining displacement is below the tolerance, or is rounding
     not_converged,  ///< the cycles ran out; the best iterate was kept
     diverged,       ///< the iterates left the range of numbers; the best iterate was kept
 };
