@@ -31,6 +31,25 @@ Vec3 leaning_annulus(double xi, double eta, double zeta) {
     return shapes::annulus(shapes::leaning(xi, eta, zeta));
 }
 
+/// The same on lines that grow from first cells of 1e-3 of the last ones.
+Vec3 clustered(double xi, double eta, double zeta) {
+    return shapes::leaning(xi, std::expm1(7 * eta) / std::expm1(7.0), zeta);
+}
+
+Vec3 clustered_annulus(double xi, double eta, double zeta) {
+    return shapes::annulus(clustered(xi, eta, zeta));
+}
+
+/// The same with the clustered lines along the radius.
+Vec3 clustered_at_wall(double xi, double eta, double zeta) {
+    const Vec3 s = clustered(eta, xi, zeta);
+    return {s.y, s.x, s.z};
+}
+
+Vec3 annulus_clustered_at_wall(double xi, double eta, double zeta) {
+    return shapes::annulus(clustered_at_wall(xi, eta, zeta));
+}
+
 /// Nodes of the square |x|, |y| <= 1.2 on Scherk's surface; `spread` makes opposite edges' nodes
 /// unequally spaced.
 PointField scherk(int n, double spread) {
@@ -73,6 +92,17 @@ TEST_CASE("a planar grid converges to the exact one with second order") {
 TEST_CASE("a block converges to the exact grid with second order") {
     check_second_order(error_of_solution(10, 3, leaning_annulus, shapes::leaning),
                        error_of_solution(20, 3, leaning_annulus, shapes::leaning));
+}
+
+TEST_CASE("strongly clustered grids converge to the exact ones with second order") {
+    check_second_order(error_of_solution(32, 2, clustered_annulus, clustered),
+                       error_of_solution(64, 2, clustered_annulus, clustered));
+    check_second_order(error_of_solution(32, 2, annulus_clustered_at_wall, clustered_at_wall),
+                       error_of_solution(64, 2, annulus_clustered_at_wall, clustered_at_wall));
+    check_second_order(error_of_solution(16, 3, clustered_annulus, clustered),
+                       error_of_solution(32, 3, clustered_annulus, clustered));
+    check_second_order(error_of_solution(16, 3, annulus_clustered_at_wall, clustered_at_wall),
+                       error_of_solution(32, 3, annulus_clustered_at_wall, clustered_at_wall));
 }
 
 TEST_CASE("with parameters of another map the grid converges to another grid") {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/parallel.h"
 #include "elliptic/cell_units.h"
 #include "elliptic/elliptic_solver.h"
 #include "elliptic/shapes.h"
@@ -143,6 +144,34 @@ TEST_CASE("the same problem has the same bits every time") {
     const PointField first = solved(problem);
     const PointField second = solved(problem);
     for (std::size_t p = 0; p < first.extent().nodes(); ++p) REQUIRE(first[p] == second[p]);
+}
+
+TEST_CASE("a solve has the same bits on any number of threads, safeguards included") {
+    const int before = threads();
+    for (const shapes::Problem& problem :
+         {shapes::meander(193, 97, 1.7), shapes::clustered_saddle(97, 130, 1e-4),
+          shapes::clustered_block({40, 33, 38}, 1e-4), shapes::meander(65, 33, 2.1)}) {
+        PointField reference;
+        SolveResult told;
+        for (const int count : {1, 2, 4, 7}) {
+            set_threads(count);
+            PointField points = problem.points;
+            const SolveResult result = solve_elliptic(points, problem.parameters, {1e-4, 100});
+            CHECK(result.status == SolveStatus::converged);
+            if (count == 1) {
+                reference = points;
+                told = result;
+            }
+            CHECK(result.history == told.history);
+            CHECK(result.safeguards == told.safeguards);
+            bool same = true;
+            for (std::size_t p = 0; p < points.extent().nodes(); ++p) {
+                same = same && points[p] == reference[p];
+            }
+            CHECK(same);
+        }
+    }
+    set_threads(before);
 }
 
 }  // namespace hexweave
