@@ -16,6 +16,7 @@
 #include "core/orientation.h"
 #include "core/vec3.h"
 #include "geometry/curve.h"
+#include "geometry/surface.h"
 
 namespace hexweave {
 
@@ -46,7 +47,14 @@ struct Parameter {
 struct CurveEntry {
     Name name;
     std::shared_ptr<const Curve> shape;
-    bool used_by_curve = false;  ///< another curve is a transform or a part of it
+    bool used_by_curve = false;  ///< another curve, or a surface, is made of it
+};
+
+/// Likewise.
+struct SurfaceEntry {
+    Name name;
+    std::shared_ptr<const Surface> shape;
+    bool used_by_surface = false;  ///< another surface is made of it
 };
 
 struct OnCurve {
@@ -129,6 +137,7 @@ struct FaceEntry {
     std::variant<std::array<std::vector<SignedName>, 4>, std::array<Name, 4>> shape;
     MethodEntry how;
     std::array<bool, 4> orthogonal{};  ///< by side: grid lines meet it at right angles
+    std::optional<Name> surface{};     ///< a minimal surface (planar) where absent
 };
 
 /// A face as a block's side; `axes`, when given, are the side's two axes in the face's own (signed,
@@ -172,6 +181,7 @@ struct Case {
     std::string units = "m";
     std::vector<Parameter> parameters;
     std::vector<CurveEntry> curves;
+    std::vector<SurfaceEntry> surfaces;
     std::vector<VertexEntry> vertices;
     std::vector<EdgeEntry> edges;
     std::vector<FaceEntry> faces;

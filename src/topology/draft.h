@@ -57,6 +57,7 @@ struct Draft {
     const Case& c;
     Diagnostics& diagnostics;
     std::vector<bool> curve_used;
+    std::vector<bool> surface_used;
     std::vector<DraftVertex> vertices;
     std::vector<DraftEdge> edges;
     std::vector<DraftFace> faces;
@@ -65,6 +66,7 @@ struct Draft {
     /// An entry could not be read, or corners not be resolved: what they use is not known.
     bool uses_lost = false;
     NameTable curve_names{"curve"};
+    NameTable surface_names{"surface"};
     NameTable vertex_names{"vertex"};
     NameTable edge_names{"edge"};
     NameTable face_names{"face"};
@@ -98,7 +100,7 @@ struct Network {
     const Face& face(int index) const { return topology.faces[static_cast<std::size_t>(index)]; }
 };
 
-/// Names of the curves; names and positions of the vertices.
+/// Names of the curves and surfaces; names and positions of the vertices.
 void place_vertices(Draft& draft);
 /// The pieces of curves (straight lines) that the drawn edges are.
 void place_edges(Draft& draft);

@@ -186,6 +186,11 @@ void place_vertices(Draft& draft) {
         draft.curve_names.add(draft.c.curves[n].name.value, static_cast<int>(n));
         draft.curve_used[n] = draft.c.curves[n].used_by_curve;
     }
+    draft.surface_used.assign(draft.c.surfaces.size(), false);
+    for (std::size_t n = 0; n < draft.c.surfaces.size(); ++n) {
+        draft.surface_names.add(draft.c.surfaces[n].name.value, static_cast<int>(n));
+        draft.surface_used[n] = draft.c.surfaces[n].used_by_surface;
+    }
     for (const VertexEntry& entry : draft.c.vertices) {
         draft.vertex_names.add(entry.name.value, static_cast<int>(draft.vertices.size()));
         DraftVertex vertex;

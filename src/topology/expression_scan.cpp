@@ -44,8 +44,8 @@ bool is_blank(char c) {
 
 class Scan {
 public:
-    Scan(const std::string& text, const std::string& variable, ParameterScope& scope)
-        : text_(text), variable_(variable), scope_(scope) {}
+    Scan(const std::string& text, const std::vector<std::string>& variables, ParameterScope& scope)
+        : text_(text), variables_(variables), scope_(scope) {}
 
     ScannedExpression run() {
         while (at_ < text_.size() && !result_.fault) result_.fault = next();
@@ -142,7 +142,7 @@ private:
         const std::string nearest = nearest_name(name, known);
         if (name == "log") {
             fault.hint = "write 'ln' for the natural logarithm, 'log10' for that of base 10";
-        } else if (scope_.values.contains(name) || name == variable_ || constant_value(name)) {
+        } else if (scope_.values.contains(name) || is_variable(name) || constant_value(name)) {
             fault.message = fmt::format("an operator is missing between '{}' and '('", name);
         } else if (!nearest.empty()) {
             fault.hint = fmt::format("did you mean '{}'?", nearest);
@@ -153,7 +153,7 @@ private:
     }
 
     std::optional<ExpressionFault> value(const std::string& name) {
-        if (name == variable_) return std::nullopt;
+        if (is_variable(name)) return std::nullopt;
         if (const std::optional<double> known = constant_value(name)) {
             result_.values[name] = *known;
             return std::nullopt;
@@ -169,6 +169,10 @@ private:
         return std::nullopt;
     }
 
+    bool is_variable(const std::string& name) const {
+        return std::find(variables_.begin(), variables_.end(), name) != variables_.end();
+    }
+
     ExpressionFault unknown(const std::string& name) const {
         ExpressionFault fault{fmt::format("unknown parameter '{}'", name), {}, at_, name.size()};
         std::vector<std::string> known;
@@ -182,8 +186,11 @@ private:
                 fmt::format("the function '{}' lacks its argument in parentheses", name);
         } else if (!nearest.empty()) {
             fault.hint = fmt::format("did you mean '{}'?", nearest);
-        } else if (!variable_.empty()) {
-            fault.hint = fmt::format("the variable of a formula is '{}'", variable_);
+        } else if (variables_.size() == 1) {
+            fault.hint = fmt::format("the variable of a formula is '{}'", variables_[0]);
+        } else if (!variables_.empty()) {
+            fault.hint = fmt::format("the variables of a formula are '{}'",
+                                     fmt::join(variables_, "' and '"));
         } else if (!known.empty() && known.size() <= 20) {
             fault.hint = fmt::format("known parameters are {}", fmt::join(known, ", "));
         }
@@ -191,7 +198,7 @@ private:
     }
 
     const std::string& text_;
-    const std::string& variable_;
+    const std::vector<std::string>& variables_;
     ParameterScope& scope_;
     ScannedExpression result_;
     std::size_t at_ = 0;
@@ -213,9 +220,10 @@ std::optional<double> constant_value(std::string_view name) {
     return found == constants.end() ? std::nullopt : std::optional(found->second);
 }
 
-ScannedExpression scan_expression(const std::string& text, const std::string& variable,
+ScannedExpression scan_expression(const std::string& text,
+                                  const std::vector<std::string>& variables,
                                   ParameterScope& scope) {
-    return Scan(text, variable, scope).run();
+    return Scan(text, variables, scope).run();
 }
 
 }  // namespace hexweave

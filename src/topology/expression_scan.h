@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "topology/expressions.h"
 
@@ -18,9 +19,9 @@ struct ScannedExpression {
     bool lacks_value = false;              ///< a parameter occurs whose own value is faulty
 };
 
-/// Marks the parameters that occur as used. `variable` is a name that has no value yet, or empty.
-ScannedExpression scan_expression(const std::string& text, const std::string& variable,
-                                  ParameterScope& scope);
+/// Marks the parameters that occur as used. `variables` are names that have no value yet.
+ScannedExpression scan_expression(const std::string& text,
+                                  const std::vector<std::string>& variables, ParameterScope& scope);
 
 bool is_function_name(std::string_view name);
 /// The value of `pi` or `e`.

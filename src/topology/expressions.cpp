@@ -5,11 +5,13 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "topology/expression_scan.h"
 
@@ -28,11 +30,14 @@ double cube_root(double x) {
     return std::cbrt(x);
 }
 
-/// A parser and the one variable that its text may use; not to be moved, for muParser keeps the
-/// variable's address, and not to be used by two threads at once.
+/// The values of at most two variables.
+using Arguments = std::array<double, 2>;
+
+/// A parser and the variables that its text may use; not to be moved, for muParser keeps the
+/// variables' addresses, and not to be used by two threads at once.
 class CompiledText {
 public:
-    CompiledText(const std::string& text, const std::string& variable,
+    CompiledText(const std::string& text, const std::vector<std::string>& variables,
                  const std::map<std::string, double>& values) {
         parser_.ClearConst();
         parser_.EnableOptimizer(false);
@@ -40,7 +45,9 @@ public:
         parser_.DefineFun("ceil", round_up);
         parser_.DefineFun("cbrt", cube_root);
         for (const auto& [name, value] : values) parser_.DefineConst(name, value);
-        if (!variable.empty()) parser_.DefineVar(variable, &variable_);
+        for (std::size_t n = 0; n < variables.size(); ++n) {
+            parser_.DefineVar(variables[n], &arguments_.at(n));
+        }
         parser_.SetExpr(text);
     }
     CompiledText(const CompiledText&) = delete;
@@ -49,14 +56,14 @@ public:
     CompiledText& operator=(CompiledText&&) = delete;
     ~CompiledText() = default;
 
-    double operator()(double argument) {
-        variable_ = argument;
+    double operator()(const Arguments& arguments) {
+        arguments_ = arguments;
         return parser_.Eval();
     }
 
 private:
     mu::Parser parser_;
-    double variable_ = 0;
+    Arguments arguments_{};
 };
 
 ExpressionFault fault_of(const mu::ParserError& error, const std::string& text) {
@@ -103,12 +110,13 @@ ExpressionFault fault_of(const mu::ParserError& error, const std::string& text) 
 /// Compiled copies of one text, as many as threads have ever asked at once.
 class CopiesForThreads {
 public:
-    CopiesForThreads(std::string text, std::string variable, std::map<std::string, double> values)
-        : text_(std::move(text)), variable_(std::move(variable)), values_(std::move(values)) {}
+    CopiesForThreads(std::string text, std::vector<std::string> variables,
+                     std::map<std::string, double> values)
+        : text_(std::move(text)), variables_(std::move(variables)), values_(std::move(values)) {}
 
-    double operator()(double argument) {
+    double operator()(const Arguments& arguments) {
         std::unique_ptr<CompiledText> mine = take();
-        const double value = (*mine)(argument);
+        const double value = (*mine)(arguments);
         const std::lock_guard lock(mutex_);
         idle_.push_back(std::move(mine));
         return value;
@@ -124,11 +132,11 @@ private:
                 return mine;
             }
         }
-        return std::make_unique<CompiledText>(text_, variable_, values_);
+        return std::make_unique<CompiledText>(text_, variables_, values_);
     }
 
     std::string text_;
-    std::string variable_;
+    std::vector<std::string> variables_;
     std::map<std::string, double> values_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<CompiledText>> idle_;
@@ -146,17 +154,38 @@ std::optional<double> plain_number(const std::string& text) {
     return negative ? -value : value;
 }
 
+/// A function of the values of `variables`.
+std::variant<std::shared_ptr<CopiesForThreads>, ExpressionFault> compile_copies(
+    const std::string& text, const std::vector<std::string>& variables, ParameterScope& scope) {
+    for (const std::string& variable : variables) {
+        if (!scope.values.contains(variable)) continue;
+        return ExpressionFault{
+            fmt::format("'{}' is the variable of a formula, and a parameter has the same name",
+                        variable),
+            "rename the parameter", 0, text.size()};
+    }
+    ScannedExpression scan = scan_expression(text, variables, scope);
+    if (scan.fault) return std::move(*scan.fault);
+    if (scan.lacks_value) return ExpressionFault{};
+    auto copies = std::make_shared<CopiesForThreads>(text, variables, std::move(scan.values));
+    try {
+        (*copies)({0.5, 0.5});
+    } catch (const mu::ParserError& error) {
+        return fault_of(error, text);
+    }
+    return copies;
+}
+
 }  // namespace
 
 std::variant<double, ExpressionFault> evaluate(const std::string& text, ParameterScope& scope) {
     if (const std::optional<double> number = plain_number(text)) return *number;
-    const std::string no_variable;
-    ScannedExpression scan = scan_expression(text, no_variable, scope);
+    ScannedExpression scan = scan_expression(text, {}, scope);
     if (scan.fault) return std::move(*scan.fault);
     if (scan.lacks_value) return ExpressionFault{};
     double value = 0;
     try {
-        value = CompiledText(text, no_variable, scan.values)(0);
+        value = CompiledText(text, {}, scan.values)({});
     } catch (const mu::ParserError& error) {
         return fault_of(error, text);
     }
@@ -174,22 +203,18 @@ std::variant<double, ExpressionFault> evaluate(const std::string& text, Paramete
 std::variant<std::function<double(double)>, ExpressionFault> compile(const std::string& text,
                                                                      const std::string& variable,
                                                                      ParameterScope& scope) {
-    if (scope.values.contains(variable)) {
-        return ExpressionFault{
-            fmt::format("'{}' is the variable of a formula, and a parameter has the same name",
-                        variable),
-            "rename the parameter", 0, text.size()};
-    }
-    ScannedExpression scan = scan_expression(text, variable, scope);
-    if (scan.fault) return std::move(*scan.fault);
-    if (scan.lacks_value) return ExpressionFault{};
-    auto copies = std::make_shared<CopiesForThreads>(text, variable, std::move(scan.values));
-    try {
-        (*copies)(0.5);
-    } catch (const mu::ParserError& error) {
-        return fault_of(error, text);
-    }
-    return [copies](double argument) { return (*copies)(argument); };
+    auto result = compile_copies(text, {variable}, scope);
+    if (auto* fault = std::get_if<ExpressionFault>(&result)) return std::move(*fault);
+    const auto copies = std::get<std::shared_ptr<CopiesForThreads>>(result);
+    return [copies](double argument) { return (*copies)({argument, 0}); };
+}
+
+std::variant<std::function<double(double, double)>, ExpressionFault> compile(
+    const std::string& text, const std::array<std::string, 2>& variables, ParameterScope& scope) {
+    auto result = compile_copies(text, {variables[0], variables[1]}, scope);
+    if (auto* fault = std::get_if<ExpressionFault>(&result)) return std::move(*fault);
+    const auto copies = std::get<std::shared_ptr<CopiesForThreads>>(result);
+    return [copies](double first, double second) { return (*copies)({first, second}); };
 }
 
 bool is_reserved_in_expressions(const std::string& name) {

@@ -4,6 +4,7 @@
 // `^` is the power and binds to the right. The locale does not matter.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -41,6 +42,9 @@ std::variant<double, ExpressionFault> evaluate(const std::string& text, Paramete
 std::variant<std::function<double(double)>, ExpressionFault> compile(const std::string& text,
                                                                      const std::string& variable,
                                                                      ParameterScope& scope);
+/// The same of two variables.
+std::variant<std::function<double(double, double)>, ExpressionFault> compile(
+    const std::string& text, const std::array<std::string, 2>& variables, ParameterScope& scope);
 
 /// Names that no parameter may have: the functions, `pi` and `e`.
 bool is_reserved_in_expressions(const std::string& name);

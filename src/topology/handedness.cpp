@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/surface_patch.h"
 #include "topology/face_frame.h"
 #include "topology/sample.h"
 
@@ -33,15 +34,44 @@ Vec3 coons(const std::array<Points, 4>& sides, std::size_t a, std::size_t b) {
     return across + along - corners;
 }
 
+/// The nodes of a patch at equal steps of its two axes, the first axis fastest.
+struct PatchNodes {
+    Points points;
+
+    const Vec3& at(std::size_t a, std::size_t b) const { return points[a + b * (intervals + 1)]; }
+};
+
+PatchNodes coons_patch(const std::array<Points, 4>& sides) {
+    PatchNodes patch;
+    for (std::size_t b = 0; b <= intervals; ++b) {
+        for (std::size_t a = 0; a <= intervals; ++a) patch.points.push_back(coons(sides, a, b));
+    }
+    return patch;
+}
+
+/// The part of a surface between four sides: a Coons patch of their parameters.
+PatchNodes surface_patch(const Surface& surface, const std::array<Points, 4>& sides) {
+    const PatchSides on_surface = sides_on_surface(SurfaceProjection(surface), sides);
+    std::array<Points, 4> parameters;
+    for (std::size_t s = 0; s < 4; ++s) {
+        for (const SurfacePoint& p : on_surface.sides[s]) {
+            parameters[s].push_back({p.parameters.u, p.parameters.v, 0});
+        }
+    }
+    PatchNodes patch = coons_patch(parameters);
+    for (Vec3& p : patch.points) p = evaluate(surface, {p.x, p.y});
+    return patch;
+}
+
 /// Six times the volume between the origin and a patch, seen from its axes' right-handed normal.
-double six_volumes(const std::array<Points, 4>& sides) {
+double six_volumes(const PatchNodes& patch) {
     double sum = 0;
     for (std::size_t b = 0; b < intervals; ++b) {
         for (std::size_t a = 0; a < intervals; ++a) {
-            const Vec3 p00 = coons(sides, a, b);
-            const Vec3 p10 = coons(sides, a + 1, b);
-            const Vec3 p11 = coons(sides, a + 1, b + 1);
-            const Vec3 p01 = coons(sides, a, b + 1);
+            const Vec3& p00 = patch.at(a, b);
+            const Vec3& p10 = patch.at(a + 1, b);
+            const Vec3& p11 = patch.at(a + 1, b + 1);
+            const Vec3& p01 = patch.at(a, b + 1);
             sum += (triple(p00, p10, p11) + triple(p00, p11, p01) + triple(p00, p10, p01) +
                     triple(p10, p11, p01)) /
                    2;
@@ -184,9 +214,14 @@ double signed_volume(const Topology& topology, const Block& block) {
     double six = 0;
     for (const Side side : all_sides) {
         const FaceUse& use = block.side(side);
-        const FrameSides frame = sides_in_frame(
-            topology.faces[static_cast<std::size_t>(use.face)].sides, use.orientation);
-        six += outward_sign(side) * six_volumes(sampled(topology, frame, origin));
+        const Face& face = topology.faces[static_cast<std::size_t>(use.face)];
+        const FrameSides frame = sides_in_frame(face.sides, use.orientation);
+        const Surface* surface = face.surface.get();
+        const Vec3 from = surface == nullptr ? origin : Vec3{};
+        const std::array<Points, 4> sides = sampled(topology, frame, from);
+        PatchNodes patch = surface == nullptr ? coons_patch(sides) : surface_patch(*surface, sides);
+        for (Vec3& p : patch.points) p -= origin - from;
+        six += outward_sign(side) * six_volumes(patch);
     }
     return six / 6;
 }

@@ -12,9 +12,10 @@ namespace hexweave {
 /// turns counter-clockwise seen from +z.
 double signed_area(const Topology& topology, const Face& face);
 
-/// The volume that the six sides of a block enclose, each a Coons patch between its sampled edges;
-/// positive when i, j and k are right-handed. Sound for any shape whose faces do not bulge far from
-/// their Coons patches: C- and O-type blocks too.
+/// The volume that the six sides of a block enclose, each a Coons patch between its sampled edges
+/// (where it lies on a surface, of their parameters); positive when i, j and k are right-handed.
+/// Sound for any shape whose faces do not bulge far from their Coons patches: C- and O-type blocks
+/// too.
 double signed_volume(const Topology& topology, const Block& block);
 
 /// Reports left-handed faces of a planar grid, and left-handed blocks.

@@ -69,6 +69,21 @@ double greatest_distance(const std::vector<Vec3>& points) {
     return greatest;
 }
 
+/// Whether a surface lies in the plane z = 0, by samples.
+bool is_in_plane(const Surface& surface) {
+    constexpr int samples = 16;
+    for (int j = 0; j <= samples; ++j) {
+        for (int i = 0; i <= samples; ++i) {
+            const auto at = [](const std::array<double, 2>& range, int n) {
+                return range[0] + (range[1] - range[0]) * n / samples;
+            };
+            const SurfaceParameters node{at(surface.range_u, i), at(surface.range_v, j)};
+            if (evaluate(surface, node).z != 0) return false;
+        }
+    }
+    return true;
+}
+
 std::string gigabytes(double bytes) {
     return fmt::format("{:.3g} GB", bytes / 1e9);
 }
@@ -86,6 +101,9 @@ void measure_extent(Topology& topology, bool three_dimensional) {
     topology.size = greatest_distance(points);
     topology.planar = !three_dimensional && std::all_of(points.begin(), points.end(),
                                                         [](const Vec3& p) { return p.z == 0; });
+    for (const Face& face : topology.faces) {
+        if (face.surface && !is_in_plane(*face.surface)) topology.planar = false;
+    }
 }
 
 bool check_zone_sizes(const Topology& topology, Diagnostics& diagnostics) {

@@ -10,6 +10,7 @@
 #include "topology/read_curves.h"
 #include "topology/read_entries.h"
 #include "topology/read_parameters.h"
+#include "topology/read_surfaces.h"
 #include "topology/read_values.h"
 #include "topology/yaml_tree.h"
 
@@ -153,11 +154,13 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     }
     if (!check_version(reading, *root)) return c;
     expect_mapping(reading, *root, "a case", case_keys(), later_keys());
-    refuse_section(reading, *root, "surfaces");
     refuse_section(reading, *root, "periodic");
     read_title_and_units(reading, *root, c);
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
     read_into(c.curves, reading, *root, "curves", read_curves);
+    if (const YamlNode* surfaces = section_of(reading, *root, "surfaces")) {
+        c.surfaces = read_surfaces(reading, *surfaces, c.curves);
+    }
     read_into(c.vertices, reading, *root, "vertices", read_vertices);
     read_into(c.edges, reading, *root, "edges", read_edges);
     read_into(c.faces, reading, *root, "faces", read_faces);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/transform.h"
+#include "topology/read_family.h"
 #include "topology/read_shapes.h"
 #include "topology/read_transforms.h"
 
@@ -34,16 +35,9 @@ MaybeCurve read_other_curve(Reading& reading, CurvesSoFar& curves, const YamlNod
         std::find_if(curves.entries.begin(), curves.entries.end(),
                      [&](const CurveEntry& c) { return c.name.value == name.value; });
     if (other == curves.entries.end()) {
-        std::vector<std::string_view> known;
+        Keys known;
         for (const CurveEntry& c : curves.entries) known.emplace_back(c.name.value);
-        const bool later = curves.section.find(name.value) != nullptr;
-        reading.diagnostics.error(
-            node.place,
-            later ? fmt::format("the curve '{}' is used before it is defined", name.value)
-                  : fmt::format("unknown curve '{}'", name.value),
-            later           ? "a curve can be made only of those that stand before it"
-            : known.empty() ? std::string()
-                            : suggestion(name.value, known, "curves before this one are"));
+        tell_not_before(reading, node, "curve", curves.section, known);
         return std::nullopt;
     }
     other->used_by_curve = true;
@@ -69,47 +63,10 @@ const Keys& family_names() {
     return names;
 }
 
-/// Tells what is wrong with the shape of a curve.
-void tell_shape(Reading& reading, const Place& place, const std::string& message) {
-    reading.diagnostics.error(place, message,
-                              fmt::format("it has one key of {}", fmt::join(family_names(), ", ")));
-}
-
-/// The key of the one family that an entry names; empty after an error.
-std::string read_family(Reading& reading, const YamlNode& entry, const std::string& what) {
-    if (!entry.is_mapping()) {
-        tell_shape(reading, entry.is_null() ? entry.key_place : entry.place,
-                   fmt::format("{} must be a mapping, not {}", what, describe(entry)));
-        return {};
-    }
-    const Keys& names = family_names();
-    std::string found;
-    for (const YamlNode& child : entry.children) {
-        if (std::find(names.begin(), names.end(), child.key) == names.end()) continue;
-        if (!found.empty()) {
-            tell_shape(reading, child.key_place,
-                       fmt::format("{} is already given by '{}'", what, found));
-            return {};
-        }
-        found = child.key;
-    }
-    if (!found.empty()) return found;
-    for (const YamlNode& child : entry.children) {
-        const std::string nearest = nearest_name(child.key, {names.begin(), names.end()});
-        if (nearest.empty()) continue;
-        reading.diagnostics.error(child.key_place,
-                                  fmt::format("unknown key '{}' in {}", shown(child.key), what),
-                                  fmt::format("did you mean '{}'?", nearest));
-        return {};
-    }
-    tell_shape(reading, entry.key_place, fmt::format("{} has no shape", what));
-    return {};
-}
-
 std::shared_ptr<const Curve> read_curve(Reading& reading, CurvesSoFar& curves,
                                         const YamlNode& entry) {
     const std::string what = fmt::format("curve '{}'", shown(entry.key));
-    const std::string key = read_family(reading, entry, what);
+    const std::string key = read_family(reading, entry, what, family_names());
     if (key.empty()) return nullptr;
     const auto family = std::find_if(curve_families().begin(), curve_families().end(),
                                      [&](const CurveFamily& f) { return f.key == key; });

@@ -84,11 +84,11 @@ std::vector<SignedName> read_face_side(Reading& reading, const YamlNode& node,
     return {SignedName{{}, false, false, node.place}};
 }
 
-void refuse_surface(Reading& reading, const YamlNode& node) {
-    const YamlNode* surface = find(reading, node, "surface");
-    if (surface == nullptr || (surface->is_scalar() && surface->text == "minimal")) return;
-    reading.diagnostics.error(surface->place, "faces on surfaces come with a later version",
-                              "only 'surface: minimal' is there yet");
+/// The surface that a face names; none where it is a minimal surface.
+std::optional<Name> read_surface(Reading& reading, const YamlNode& face) {
+    const YamlNode* node = find(reading, face, "surface");
+    if (node == nullptr || (node->is_scalar() && node->text == "minimal")) return std::nullopt;
+    return read_name(reading, *node, "'surface'");
 }
 
 /// Marks the side that one name of 'orthogonal' means, or tells why it means none.
@@ -147,7 +147,7 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
     if (!expect_mapping(reading, node, what, keys)) return face;
     face.how = read_method(reading, node, sides);
     face.orthogonal = read_orthogonal(reading, node, face.how.method);
-    refuse_surface(reading, node);
+    face.surface = read_surface(reading, node);
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return face;
     if (*corners) {

@@ -227,6 +227,18 @@ std::optional<std::function<double(double)>> read_formula(Reading& reading, cons
     return std::nullopt;
 }
 
+std::optional<std::function<double(double, double)>> read_formula_of_uv(Reading& reading,
+                                                                        const YamlNode& node,
+                                                                        const std::string& what) {
+    if (!expect_scalar(reading, node, what, "a formula of u and v")) return std::nullopt;
+    auto result = compile(node.text, std::array<std::string, 2>{"u", "v"}, reading.parameters);
+    if (auto* formula = std::get_if<std::function<double(double, double)>>(&result)) {
+        return *formula;
+    }
+    tell_fault(reading, node, std::get<ExpressionFault>(result));
+    return std::nullopt;
+}
+
 std::optional<bool> read_switch(Reading& reading, const YamlNode& mapping, std::string_view key) {
     const YamlNode* node = find(reading, mapping, key);
     if (node == nullptr) return false;

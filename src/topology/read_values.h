@@ -83,6 +83,10 @@ std::optional<std::function<double(double)>> read_formula(Reading& reading, cons
                                                           const std::string& what);
 /// The `true` or `false` under a key; false where the key is not there.
 std::optional<bool> read_switch(Reading& reading, const YamlNode& mapping, std::string_view key);
+/// A formula of u and v.
+std::optional<std::function<double(double, double)>> read_formula_of_uv(Reading& reading,
+                                                                        const YamlNode& node,
+                                                                        const std::string& what);
 /// Any text, not empty.
 std::optional<std::string> read_text(Reading& reading, const YamlNode& node,
                                      const std::string& what);

@@ -12,6 +12,7 @@
 #include "topology/limits.h"
 #include "topology/parallel_edges.h"
 #include "topology/spacing_propagation.h"
+#include "topology/surface_faces.h"
 
 namespace hexweave {
 
@@ -39,7 +40,7 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     }
     Network network = connect(c, diagnostics);
     measure_extent(network.topology, network.three_dimensional);
-    check_handedness(network, diagnostics);
+    if (check_surface_faces(network, diagnostics)) check_handedness(network, diagnostics);
     const ParallelEdges parallels = parallel_edges(network.topology);
     resolve_counts(network, parallels, diagnostics);
     resolve_spacing(network, parallels, diagnostics);

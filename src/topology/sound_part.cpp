@@ -104,6 +104,12 @@ void warn_unused(Draft& draft) {
             warn(name.place, fmt::format("curve {} is not used", quoted(name.value)));
         }
     }
+    for (std::size_t n = 0; n < draft.c.surfaces.size(); ++n) {
+        const Name& name = draft.c.surfaces[n].name;
+        if (!draft.surface_used[n]) {
+            warn(name.place, fmt::format("surface {} is not used", quoted(name.value)));
+        }
+    }
     for (const DraftVertex& v : draft.vertices) {
         if (!v.used) {
             warn(v.vertex.place, fmt::format("vertex {} is not used", quoted(v.vertex.name)));

@@ -26,6 +26,7 @@
 #include "core/orientation.h"
 #include "core/vec3.h"
 #include "geometry/curve.h"
+#include "geometry/surface.h"
 #include "topology/case.h"
 
 namespace hexweave {
@@ -90,7 +91,8 @@ struct Face {
     int cells_i = 1;
     int cells_j = 1;
     SolveRequest solve;
-    std::array<bool, 4> orthogonal{};  ///< by side: grid lines meet it at right angles
+    std::array<bool, 4> orthogonal{};        ///< by side: grid lines meet it at right angles
+    std::shared_ptr<const Surface> surface;  ///< that it lies on; null: a minimal surface
     std::optional<AxisPlane>
         plane;  ///< the symmetry plane it lies on: its points are exactly there
     bool made = false;

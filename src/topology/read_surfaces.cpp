@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "topology/read_surfaces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "geometry/surface.h"
+#include "topology/read_family.h"
+#include "topology/read_transforms.h"
+
+namespace hexweave {
+
+namespace {
+
+using MaybeSurface = std::optional<Surface>;
+
+/// What surfaces may be made of.
+struct Material {
+    const YamlNode& section;
+    std::vector<CurveEntry>& curves;
+    std::vector<SurfaceEntry> surfaces;  ///< so far
+};
+
+struct SurfaceFamily {
+    std::string_view key;
+    Keys further;  ///< keys that may stand beside it
+    MaybeSurface (*read)(Reading& reading, const YamlNode& entry, Material& material);
+};
+
+/// A vector that must not be zero.
+std::optional<Vec3> read_direction(Reading& reading, const YamlNode& mapping, std::string_view key,
+                                   const std::string& of) {
+    const YamlNode* node = require(reading, mapping, key, of);
+    if (node == nullptr) return std::nullopt;
+    const auto direction = read_point(reading, *node, fmt::format("'{}'", key));
+    if (!direction || norm(*direction) > 0) return direction;
+    reading.diagnostics.error(node->place, fmt::format("'{}' must not be zero", key));
+    return std::nullopt;
+}
+
+std::optional<Vec3> require_point(Reading& reading, const YamlNode& mapping, std::string_view key,
+                                  const std::string& of) {
+    const YamlNode* node = require(reading, mapping, key, of);
+    return node == nullptr ? std::nullopt : read_point(reading, *node, fmt::format("'{}'", key));
+}
+
+std::optional<std::array<double, 2>> require_range(Reading& reading, const YamlNode& entry,
+                                                   std::string_view key) {
+    const YamlNode* node = require(reading, entry, key, fmt::format("surface '{}'", entry.key));
+    const std::string what = fmt::format("'{}'", key);
+    if (node == nullptr || !expect_list(reading, *node, what, 2)) return std::nullopt;
+    const auto begin = read_number(reading, node->children[0], "the begin of " + what);
+    const auto end = read_number(reading, node->children[1], "the end of " + what);
+    if (!begin || !end) return std::nullopt;
+    if (*begin < *end) return std::array{*begin, *end};
+    reading.diagnostics.error(
+        node->place, fmt::format("{} must ascend, not run from {} to {}", what, *begin, *end));
+    return std::nullopt;
+}
+
+using FormulaOfTwo = std::function<double(double, double)>;
+
+/// Where a formula is not finite, found on a fine net of its ranges; tells it.
+bool check_finite(Reading& reading, const YamlNode& node, const FormulaOfTwo& formula,
+                  const std::array<double, 2>& range_u, const std::array<double, 2>& range_v) {
+    constexpr int samples = 32;
+    for (int j = 0; j <= samples; ++j) {
+        for (int i = 0; i <= samples; ++i) {
+            const double u = range_u[0] + (range_u[1] - range_u[0]) * i / samples;
+            const double v = range_v[0] + (range_v[1] - range_v[0]) * j / samples;
+            if (std::isfinite(formula(u, v))) continue;
+            reading.diagnostics.error(
+                node.place,
+                fmt::format("'{}' is not finite at u = {}, v = {}", shown(node.text), u, v));
+            return false;
+        }
+    }
+    return true;
+}
+
+MaybeSurface read_formula_surface(Reading& reading, const YamlNode& entry, Material&) {
+    const YamlNode& node = *find(reading, entry, "formula");
+    const auto range_u = require_range(reading, entry, "u");
+    const auto range_v = require_range(reading, entry, "v");
+    if (!node.is_sequence() || node.children.size() != 3) {
+        reading.diagnostics.error(node.place,
+                                  "'formula' must be a list of three formulas of u and v",
+                                  "write [x, y, z], as in [u, v, u * v]");
+        return std::nullopt;
+    }
+    std::array<FormulaOfTwo, 3> parts;
+    bool sound = true;
+    for (std::size_t n = 0; n < 3; ++n) {
+        auto part = read_formula_of_uv(reading, node.children[n], "a part of 'formula'");
+        sound = sound && part;
+        if (part) parts.at(n) = std::move(*part);
+    }
+    if (!sound || !range_u || !range_v) return std::nullopt;
+    for (std::size_t n = 0; n < 3; ++n) {
+        sound = check_finite(reading, node.children[n], parts.at(n), *range_u, *range_v) && sound;
+    }
+    if (!sound) return std::nullopt;
+    const auto position = [parts](double u, double v) {
+        return Vec3{parts[0](u, v), parts[1](u, v), parts[2](u, v)};
+    };
+    return formula_surface(position, *range_u, *range_v);
+}
+
+MaybeSurface read_plane_surface(Reading& reading, const YamlNode& entry, Material&) {
+    const YamlNode& node = *find(reading, entry, "plane");
+    if (!expect_mapping(reading, node, "'plane'", {"point", "u", "v"})) return std::nullopt;
+    const auto point = require_point(reading, node, "point", "'plane'");
+    const auto u = read_direction(reading, node, "u", "'plane'");
+    const auto v = read_direction(reading, node, "v", "'plane'");
+    if (!point || !u || !v) return std::nullopt;
+    return plane_surface(*point, *u, *v);
+}
+
+MaybeSurface read_sphere(Reading& reading, const YamlNode& entry, Material&) {
+    const YamlNode& node = *find(reading, entry, "sphere");
+    if (!expect_mapping(reading, node, "'sphere'", {"center", "radius", "axis"})) return {};
+    const auto center = require_point(reading, node, "center", "'sphere'");
+    const YamlNode* length = require(reading, node, "radius", "'sphere'");
+    const auto radius =
+        length == nullptr ? std::nullopt : read_positive(reading, *length, "'radius'");
+    std::optional<Vec3> axis = Vec3{0, 0, 1};
+    if (find(reading, node, "axis") != nullptr) {
+        axis = read_direction(reading, node, "axis", "'sphere'");
+    }
+    if (!center || !radius || !axis) return std::nullopt;
+    return sphere(*center, *radius, *axis);
+}
+
+/// The ends of the axis of a cylinder or cone.
+std::optional<std::array<Vec3, 2>> read_axis_ends(Reading& reading, const YamlNode& node,
+                                                  const std::string& of) {
+    const auto from = require_point(reading, node, "from", of);
+    const auto to = require_point(reading, node, "to", of);
+    if (!from || !to) return std::nullopt;
+    if (!(*from == *to)) return std::array{*from, *to};
+    reading.diagnostics.error(find(reading, node, "to")->place, "'from' and 'to' are the same");
+    return std::nullopt;
+}
+
+MaybeSurface read_cylinder(Reading& reading, const YamlNode& entry, Material&) {
+    const YamlNode& node = *find(reading, entry, "cylinder");
+    if (!expect_mapping(reading, node, "'cylinder'", {"from", "to", "radius"})) return {};
+    const auto ends = read_axis_ends(reading, node, "'cylinder'");
+    const YamlNode* length = require(reading, node, "radius", "'cylinder'");
+    const auto radius =
+        length == nullptr ? std::nullopt : read_positive(reading, *length, "'radius'");
+    if (!ends || !radius) return std::nullopt;
+    return cone((*ends)[0], (*ends)[1], *radius, *radius);
+}
+
+MaybeSurface read_cone(Reading& reading, const YamlNode& entry, Material&) {
+    const YamlNode& node = *find(reading, entry, "cone");
+    if (!expect_mapping(reading, node, "'cone'", {"from", "to", "radii"})) return std::nullopt;
+    const auto ends = read_axis_ends(reading, node, "'cone'");
+    const YamlNode* radii = require(reading, node, "radii", "'cone'");
+    if (radii == nullptr || !expect_list(reading, *radii, "'radii'", 2)) return std::nullopt;
+    const auto first = read_number(reading, radii->children[0], "a radius");
+    const auto second = read_number(reading, radii->children[1], "a radius");
+    if (!ends || !first || !second) return std::nullopt;
+    if (*first >= 0 && *second >= 0) return cone((*ends)[0], (*ends)[1], *first, *second);
+    reading.diagnostics.error(radii->place, "a radius must not be negative");
+    return std::nullopt;
+}
+
+/// The shape of a curve that a surface is made of.
+std::shared_ptr<const Curve> read_curve_name(Reading& reading, const YamlNode& node,
+                                             const std::string& what, Material& material) {
+    const Name name = read_name(reading, node, what);
+    if (name.value.empty()) return nullptr;
+    const auto found =
+        std::find_if(material.curves.begin(), material.curves.end(),
+                     [&](const CurveEntry& c) { return c.name.value == name.value; });
+    if (found != material.curves.end()) {
+        found->used_by_curve = true;
+        return found->shape;
+    }
+    Keys known;
+    for (const CurveEntry& c : material.curves) known.emplace_back(c.name.value);
+    reading.diagnostics.error(node.place, fmt::format("unknown curve '{}'", name.value),
+                              known.empty() ? "" : suggestion(name.value, known, "curves are"));
+    return nullptr;
+}
+
+MaybeSurface read_ruled(Reading& reading, const YamlNode& entry, Material& material) {
+    const YamlNode& node = *find(reading, entry, "ruled");
+    if (!expect_list(reading, node, "'ruled'", 2)) return std::nullopt;
+    const auto first = read_curve_name(reading, node.children[0], "a curve of 'ruled'", material);
+    const auto second = read_curve_name(reading, node.children[1], "a curve of 'ruled'", material);
+    if (!first || !second) return std::nullopt;
+    return ruled_surface(*first, *second);
+}
+
+MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Material& material) {
+    const YamlNode& node = *find(reading, entry, "revolution");
+    const Keys keys{"curve", "axis", "center", "angle"};
+    if (!expect_mapping(reading, node, "'revolution'", keys)) return std::nullopt;
+    const YamlNode* name = require(reading, node, "curve", "'revolution'");
+    const auto curve =
+        name == nullptr ? nullptr : read_curve_name(reading, *name, "'curve'", material);
+    const auto axis = read_direction(reading, node, "axis", "'revolution'");
+    std::optional<Vec3> center = Vec3{};
+    if (const YamlNode* given = find(reading, node, "center")) {
+        center = read_point(reading, *given, "'center'");
+    }
+    constexpr double full_turn = 2 * std::numbers::pi;
+    std::optional<double> turn = full_turn;
+    if (const YamlNode* given = find(reading, node, "angle")) {
+        turn = read_positive(reading, *given, "'angle'");
+        if (turn && *turn > full_turn * (1 + 1e-12)) {
+            reading.diagnostics.error(given->place,
+                                      "a curve can be turned at most once round, by 2 * pi");
+            return std::nullopt;
+        }
+    }
+    if (!curve || !axis || !center || !turn) return std::nullopt;
+    return revolution(*curve, *center, *axis, *turn);
+}
+
+MaybeSurface read_other_surface(Reading& reading, const YamlNode& entry, Material& material) {
+    const YamlNode& node = *find(reading, entry, "of");
+    const Name name = read_name(reading, node, "'of'");
+    if (name.value.empty()) return std::nullopt;
+    const auto found =
+        std::find_if(material.surfaces.begin(), material.surfaces.end(),
+                     [&](const SurfaceEntry& s) { return s.name.value == name.value; });
+    if (found == material.surfaces.end()) {
+        Keys known;
+        for (const SurfaceEntry& s : material.surfaces) known.emplace_back(s.name.value);
+        tell_not_before(reading, node, "surface", material.section, known);
+        return std::nullopt;
+    }
+    found->used_by_surface = true;
+    if (!found->shape) return std::nullopt;
+    return *found->shape;
+}
+
+const std::vector<SurfaceFamily>& surface_families() {
+    static const std::vector<SurfaceFamily> list{
+        {"formula", {"u", "v"}, read_formula_surface},
+        {"plane", {}, read_plane_surface},
+        {"sphere", {}, read_sphere},
+        {"cylinder", {}, read_cylinder},
+        {"cone", {}, read_cone},
+        {"ruled", {}, read_ruled},
+        {"revolution", {}, read_revolution},
+        {"of", {}, read_other_surface},
+    };
+    return list;
+}
+
+/// Whether some part of the surface has a normal.
+bool has_area(const Surface& surface) {
+    constexpr int samples = 8;
+    for (int j = 0; j < samples; ++j) {
+        for (int i = 0; i < samples; ++i) {
+            const auto at = [](const std::array<double, 2>& range, int n) {
+                return range[0] + (range[1] - range[0]) * (n + 0.5) / samples;
+            };
+            const double u = at(surface.range_u, i);
+            const double v = at(surface.range_v, j);
+            const Vec3 along_u = surface.derivative_u(u, v);
+            const Vec3 along_v = surface.derivative_v(u, v);
+            if (norm(cross(along_u, along_v)) > 1e-9 * norm(along_u) * norm(along_v)) return true;
+        }
+    }
+    return false;
+}
+
+std::shared_ptr<const Surface> read_surface(Reading& reading, const YamlNode& entry,
+                                            Material& material) {
+    const std::string what = fmt::format("surface '{}'", shown(entry.key));
+    static const Keys names = [] {
+        Keys list;
+        for (const SurfaceFamily& family : surface_families()) list.push_back(family.key);
+        return list;
+    }();
+    const std::string key = read_family(reading, entry, what, names);
+    if (key.empty()) return nullptr;
+    const SurfaceFamily& family =
+        *std::find_if(surface_families().begin(), surface_families().end(),
+                      [&](const SurfaceFamily& f) { return f.key == key; });
+    Keys keys{family.key};
+    keys.insert(keys.end(), family.further.begin(), family.further.end());
+    keys.insert(keys.end(), transform_keys().begin(), transform_keys().end());
+    expect_mapping(reading, entry, what, keys);
+
+    MaybeSurface shape = family.read(reading, entry, material);
+    const std::optional<std::vector<Affine>> maps = read_transforms(reading, entry, what);
+    if (!shape || !maps || has_misspelled(reading, entry)) return nullptr;
+    Affine whole;
+    for (const Affine& map : *maps) whole = compose(whole, map);
+    if (!maps->empty()) shape = transformed(*shape, whole);
+    if (has_area(*shape)) return std::make_shared<const Surface>(std::move(*shape));
+    reading.diagnostics.error(entry.key_place, fmt::format("{} has no area", what),
+                              "its two parameters lead in the same direction everywhere");
+    return nullptr;
+}
+
+}  // namespace
+
+std::vector<SurfaceEntry> read_surfaces(Reading& reading, const YamlNode& section,
+                                        std::vector<CurveEntry>& curves) {
+    Material material{section, curves, {}};
+    for (const YamlNode& entry : section.children) {
+        if (check_new_name(reading, entry, "surface") && entry.key == "minimal") {
+            reading.diagnostics.error(entry.key_place, "no surface can be named 'minimal'",
+                                      "that is what the surface of a face is by default");
+        }
+        std::shared_ptr<const Surface> shape = read_surface(reading, entry, material);
+        material.surfaces.push_back({{entry.key, entry.key_place}, std::move(shape), false});
+    }
+    return std::move(material.surfaces);
+}
+
+}  // namespace hexweave
