@@ -2,6 +2,7 @@
 #include "elliptic/conductances.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/assert.h"
 
@@ -33,6 +34,13 @@ void add_to_cell(Conductances& coarse, int i, int j, double conductance, const C
     coarse.north(i + 2, j + 1) -= conductance * z[1] * z[3];
     coarse.rising(i + 1, j + 1) -= conductance * z[0] * z[3];
     coarse.falling(i + 1, j + 1) -= conductance * z[1] * z[2];
+}
+
+/// Of the 2 x 2 rule on the unit square.
+std::array<std::array<double, 2>, 4> gauss_points() {
+    const double low = 0.5 - 0.5 / std::sqrt(3.0);
+    const double high = 1 - low;
+    return {{{low, low}, {high, low}, {low, high}, {high, high}}};
 }
 
 }  // namespace
@@ -88,6 +96,40 @@ Conductances laplace_conductances(const PointField& points) {
             network.north(i + 2, j + 1) += along_j;
             network.rising(i + 1, j + 1) = -mixed;
             network.falling(i + 1, j + 1) = mixed;
+        }
+    }
+    return network;
+}
+
+Conductances element_conductances(const PointField& points) {
+    const Extent extent = points.extent();
+    HEXWEAVE_ASSERT(extent.nk == 1 && extent.ni > 1 && extent.nj > 1);
+    Conductances network(extent.ni, extent.nj);
+    for (int j = 0; j + 1 < extent.nj; ++j) {
+        for (int i = 0; i + 1 < extent.ni; ++i) {
+            for (const auto& [f, g] : gauss_points()) {
+                const Vec3 x_xi = lerp(points(i + 1, j) - points(i, j),
+                                       points(i + 1, j + 1) - points(i, j + 1), g);
+                const Vec3 x_eta = lerp(points(i, j + 1) - points(i, j),
+                                        points(i + 1, j + 1) - points(i + 1, j), f);
+                const double weight = 0.25 / norm(cross(x_xi, x_eta));
+                const Vec3 along_i = weight * x_eta;
+                const Vec3 along_j = weight * x_xi;
+                // The slopes along xi and eta of the functions that are 1 at one corner.
+                const CellWeights xi{g - 1, 1 - g, -g, g};
+                const CellWeights eta{f - 1, -f, 1 - f, f};
+                const auto joint = [&](std::size_t m, std::size_t n) {
+                    return dot(along_i, x_xi) * (xi[m] * eta[n] + xi[n] * eta[m]) -
+                           dot(along_i, x_eta) * xi[m] * xi[n] -
+                           dot(along_j, x_xi) * eta[m] * eta[n];
+                };
+                network.east(i + 1, j + 1) += joint(0, 1);
+                network.east(i + 1, j + 2) += joint(2, 3);
+                network.north(i + 1, j + 1) += joint(0, 2);
+                network.north(i + 2, j + 1) += joint(1, 3);
+                network.rising(i + 1, j + 1) += joint(0, 3);
+                network.falling(i + 1, j + 1) += joint(1, 2);
+            }
         }
     }
     return network;

@@ -36,6 +36,12 @@ struct Conductances {
 /// [Spekreijse & Boerstoel 1996, eqs. (50)-(53)]
 Conductances laplace_conductances(const PointField& points);
 
+/// Bilinear finite elements on the same grid, by four Gauss points a cell. They are exact for
+/// fields that are linear in space, on any grid, so that the values tell how far every node is from
+/// its place; the finite volumes do not see nodes that are displaced to and fro in turn. Nine
+/// points; where cells are long some conductances are negative, but the whole is positive.
+Conductances element_conductances(const PointField& points);
+
 /// How one axis is coarsened: every other node is kept, and the last; two cells stay two.
 struct AxisCoarsening {
     int fine = 0;    ///< nodes

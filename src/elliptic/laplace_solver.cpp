@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/assert.h"
 
@@ -279,8 +280,11 @@ double ConjugateGradients::relative_change(int i, int j, double change) const {
 
 }  // namespace
 
-LaplaceHierarchy::LaplaceHierarchy(const PointField& points) {
-    networks_.push_back(laplace_conductances(points));
+LaplaceHierarchy::LaplaceHierarchy(const PointField& points)
+    : LaplaceHierarchy(laplace_conductances(points)) {}
+
+LaplaceHierarchy::LaplaceHierarchy(Conductances finest) {
+    networks_.push_back(std::move(finest));
     for (;;) {
         const Conductances& fine = networks_.back();
         const std::array<AxisCoarsening, 2> coarsening{AxisCoarsening(fine.ni),

@@ -27,6 +27,8 @@ class LaplaceHierarchy {
 public:
     /// The face must have no folded cell, and at least one cell each way.
     explicit LaplaceHierarchy(const PointField& points);
+    /// Of another network than laplace_conductances.
+    explicit LaplaceHierarchy(Conductances finest);
 
     const std::vector<Conductances>& networks() const { return networks_; }
     const std::vector<std::array<AxisCoarsening, 2>>& coarsenings() const { return coarsenings_; }
