@@ -12,6 +12,7 @@
 #include "faces/largest_first.h"
 #include "faces/orthogonal_face.h"
 #include "faces/straight_line_map.h"
+#include "faces/surface_face.h"
 #include "faces/transfinite_face.h"
 
 namespace hexweave {
@@ -23,6 +24,50 @@ void set_plane(PointField& points, const AxisPlane& plane) {
     coordinate = Field(points.extent(), plane.value);
 }
 
+EllipticOptions options_of(const Face& face) {
+    return {face.solve.tolerance, face.solve.maximum_cycles};
+}
+
+void make_orthogonal_where_asked(FaceGrid& grid, const Face& face, const ParameterField& parameters,
+                                 const FaceSolver& solve) {
+    const auto& sides = face.orthogonal;
+    if (std::none_of(sides.begin(), sides.end(), [](bool asked) { return asked; })) return;
+    make_orthogonal(grid.points, parameters, sides, orthogonal_passes(sides, grid.flat_corners),
+                    options_of(face), grid.solve, solve);
+}
+
+/// A planar face or a minimal surface.
+void fill_minimal(FaceGrid& grid, const Face& face, const ParameterField& parameters) {
+    interpolate_face(grid.points, parameters);
+    if (face.solve.method == Method::elliptic) {
+        if (face.solve.start_folded) fold_interior(grid.points);
+        grid.solve = solve_elliptic(grid.points, parameters, options_of(face));
+        grid.solve.untangling = untangle(grid.points, [&] {
+            PointField transfinite = grid.points;
+            interpolate_face(transfinite, parameters);
+            return transfinite;
+        });
+        if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);
+        make_orthogonal_where_asked(grid, face, parameters, solve_elliptic);
+    }
+    grid.heights = hold_heights(grid.points, face.solve.heights);
+}
+
+void fill_on_surface(FaceGrid& grid, const Face& face, const ParameterField& parameters) {
+    SurfaceFace on_surface(*face.surface, grid.points, parameters, face.solve.start_folded);
+    on_surface.evaluate_interior(grid.points);
+    if (face.solve.method == Method::elliptic) {
+        const FaceSolver solve = [&](PointField& points, const ParameterField& wanted,
+                                     const EllipticOptions& options) {
+            return on_surface.solve(points, wanted, options);
+        };
+        grid.solve = solve(grid.points, parameters, options_of(face));
+        make_orthogonal_where_asked(grid, face, parameters, solve);
+    }
+    grid.heights = hold_heights(grid.points, face.solve.heights);
+    if (!grid.heights.empty()) on_surface.project_interior(grid.points);
+}
+
 FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool planar) {
     FaceGrid grid;
     grid.points = face_boundary(face, edges);
@@ -31,24 +76,11 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
     const double exponent = algebraic ? 1 : face.solve.flat_edge_exponent;
     const ParameterField parameters =
         straight_line_map(grid.points, corner_exponents(grid.flat_corners, exponent));
-    interpolate_face(grid.points, parameters);
-    if (!algebraic) {
-        if (face.solve.start_folded) fold_interior(grid.points);
-        const EllipticOptions options{face.solve.tolerance, face.solve.maximum_cycles};
-        grid.solve = solve_elliptic(grid.points, parameters, options);
-        grid.solve.untangling = untangle(grid.points, [&] {
-            PointField transfinite = grid.points;
-            interpolate_face(transfinite, parameters);
-            return transfinite;
-        });
-        if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);
-        const auto& sides = face.orthogonal;
-        if (std::any_of(sides.begin(), sides.end(), [](bool asked) { return asked; })) {
-            make_orthogonal(grid.points, parameters, sides,
-                            orthogonal_passes(sides, grid.flat_corners), options, grid.solve);
-        }
+    if (face.surface) {
+        fill_on_surface(grid, face, parameters);
+    } else {
+        fill_minimal(grid, face, parameters);
     }
-    grid.heights = hold_heights(grid.points, face.solve.heights);
     if (planar) set_plane(grid.points, {2, 0.0});
     if (face.plane) set_plane(grid.points, *face.plane);
     return grid;

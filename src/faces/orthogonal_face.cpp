@@ -114,7 +114,7 @@ int orthogonal_passes(const std::array<bool, 4>& orthogonal,
 
 void make_orthogonal(PointField& points, ParameterField parameters,
                      const std::array<bool, 4>& orthogonal, int passes,
-                     const EllipticOptions& options, SolveResult& result) {
+                     const EllipticOptions& options, SolveResult& result, const FaceSolver& solve) {
     Orthogonality record;
     record.passes_asked = passes;
     record.end = fault_of(result);
@@ -128,7 +128,7 @@ void make_orthogonal(PointField& points, ParameterField parameters,
         if (record.end != OrthogonalityEnd::all_passes) break;
         PointField next_points = points;
         ParameterField next_parameters = hermite_map(edges.functions, orthogonal);
-        const SolveResult next = solve_elliptic(next_points, next_parameters, options);
+        const SolveResult next = solve(next_points, next_parameters, options);
         SolveResult both = continued(result, next);
         record.end = fault_of(next);
         if (record.end != OrthogonalityEnd::all_passes) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "core/field.h"
 #include "elliptic/elliptic_solver.h"
@@ -25,6 +26,10 @@ struct HarmonicEdges {
 HarmonicEdges harmonic_edges(const PointField& points, const ParameterField& parameters,
                              const std::array<bool, 4>& orthogonal, double tolerance);
 
+/// What solves for the grid of a face: solve_elliptic, or the like.
+using FaceSolver =
+    std::function<SolveResult(PointField&, const ParameterField&, const EllipticOptions&)>;
+
 /// How often the edge functions are to be found anew: twice, as the first come from a grid that is
 /// far from orthogonal; once where two sides meet flat and one of them is marked, because exact
 /// orthogonality there makes the first cell along the side twice as wide as the second.
@@ -38,6 +43,7 @@ int orthogonal_passes(const std::array<bool, 4>& orthogonal,
 /// its `orthogonality` says how far it got.
 void make_orthogonal(PointField& points, ParameterField parameters,
                      const std::array<bool, 4>& orthogonal, int passes,
-                     const EllipticOptions& options, SolveResult& result);
+                     const EllipticOptions& options, SolveResult& result,
+                     const FaceSolver& solve = solve_elliptic);
 
 }  // namespace hexweave
