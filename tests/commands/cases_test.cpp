@@ -48,6 +48,8 @@ const std::vector<ShippedCase> shipped_cases{
      8640,
      "--zones upper=21x25x7 lower=21x25x7 wake_up=11x25x7 wake_low=11x25x7 "
      "--families wing farfield outflow root tip"},
+    {"rounded_tip", "--set chordwise=24 --set spanwise=20 --set normal=20", 1, 9600,
+     "--zones above=25x21x21 --families wing farfield root middle"},
 };
 
 /// Interfaces whose two sides differ in any bit, by the nodes of the file.
