@@ -192,11 +192,36 @@ void visit_block_layer(const PointField& x, int k, Visit&& visit) {
     }
 }
 
+/// The same of a face's cell with the corners p00, p10, p01, p11, against `plane` or, where that is
+/// zero, the cell's own normal.
+bool surely_sound(const Vec3& p00, const Vec3& p10, const Vec3& p01, const Vec3& p11,
+                  const Vec3& plane) {
+    const Vec3 low = p10 - p00;
+    const Vec3 high = p11 - p01;
+    const Vec3 left = p01 - p00;
+    const Vec3 right = p11 - p10;
+    const Vec3 normal = plane == Vec3{} ? cross(p11 - p00, p01 - p10) : plane;
+    const double least =
+        std::min(std::min(triple(low, left, normal), triple(low, right, normal)),
+                 std::min(triple(high, left, normal), triple(high, right, normal)));
+    const double along = dot(low, low) + dot(high, high);
+    const double across = dot(left, left) + dot(right, right);
+    return is_sound_corner(least, along * across * dot(normal, normal));
+}
+
 template <class Visit>
 void visit_face_row(const PointField& x, const Vec3& plane, int j, Visit&& visit) {
+    Vec3 low = x(0, j);
+    Vec3 high = x(0, j + 1);
     for (int i = 0; i + 1 < x.extent().ni; ++i) {
-        const CellState state = cell_state(x, {i, j, 0}, plane);
-        if (state.folded) visit(FoldedCell{{i, j, 0}, state.by_boundary});
+        const Vec3 next_low = x(i + 1, j);
+        const Vec3 next_high = x(i + 1, j + 1);
+        if (!surely_sound(low, next_low, high, next_high, plane)) {
+            const CellState state = cell_state(x, {i, j, 0}, plane);
+            if (state.folded) visit(FoldedCell{{i, j, 0}, state.by_boundary});
+        }
+        low = next_low;
+        high = next_high;
     }
 }
 
