@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "blocks/block_grid.h"
 
+#include <utility>
+
 #include "blocks/bilinear_map.h"
 #include "blocks/block_boundary.h"
 #include "blocks/flat_edges.h"
@@ -21,16 +23,17 @@ BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces,
     grid.points = block_boundary(block, faces);
     grid.flat_edges = functions.flat;
     const bool algebraic = block.solve.method == Method::algebraic;
-    const ParameterField parameters =
-        bilinear_map(grid.points, algebraic ? PerBlockEdge<EndExponents>{} : functions.exponents);
+    const auto exponents = algebraic ? PerBlockEdge<EndExponents>{} : functions.exponents;
+    ParameterField parameters = bilinear_map(grid.points, exponents);
     interpolate_block(grid.points, parameters);
     if (!algebraic) {
         if (block.solve.start_folded) fold_interior(grid.points);
-        grid.solve = solve_elliptic(grid.points, parameters,
+        grid.solve = solve_elliptic(grid.points, std::move(parameters),
                                     {block.solve.tolerance, block.solve.maximum_cycles});
         grid.solve.untangling = untangle(grid.points, [&] {
             PointField transfinite = grid.points;
-            interpolate_block(transfinite, parameters);
+            // Made anew: kept, the parameters would be a tenth of the memory of the solve.
+            interpolate_block(transfinite, bilinear_map(transfinite, exponents));
             return transfinite;
         });
         if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "elliptic/assembly.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -11,8 +12,8 @@ namespace hexweave {
 
 namespace {
 
-template <std::size_t N>
-using Numbers = std::array<double, N>;
+template <class Real, std::size_t N>
+using Numbers = std::array<Real, N>;
 
 /// body(0) .. body(N - 1), written out: a loop inside the loop over nodes would keep the compiler
 /// from using vector instructions for that.
@@ -24,15 +25,19 @@ template <std::size_t N, class Body>
     (std::make_index_sequence<N>{});
 }
 
-[[gnu::always_inline]] inline double inner(const Numbers<2>& a, const Numbers<2>& b) {
+template <class Real>
+[[gnu::always_inline]] inline Real inner(const Numbers<Real, 2>& a, const Numbers<Real, 2>& b) {
     return a[0] * b[0] + a[1] * b[1];
 }
 
-[[gnu::always_inline]] inline double inner(const Numbers<3>& a, const Numbers<3>& b) {
+template <class Real>
+[[gnu::always_inline]] inline Real inner(const Numbers<Real, 3>& a, const Numbers<Real, 3>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-[[gnu::always_inline]] inline Numbers<3> outer(const Numbers<3>& a, const Numbers<3>& b) {
+template <class Real>
+[[gnu::always_inline]] inline Numbers<Real, 3> outer(const Numbers<Real, 3>& a,
+                                                     const Numbers<Real, 3>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -46,59 +51,61 @@ struct Reach {
 
 /// The differences of a field at one node: first (v+ - v-), second (v+ - 2 v + v-) and mixed
 /// (v++ - v+- - v-+ + v--), the latter in the planes (i, j), (i, k), (j, k).
-template <std::size_t axes>
+template <class Real, std::size_t axes>
 struct Differences {
-    std::array<double, axes> first;
-    std::array<double, axes> second;
-    std::array<double, axes == 3 ? 3 : 1> mixed;
+    std::array<Real, axes> first;
+    std::array<Real, axes> second;
+    std::array<Real, axes == 3 ? 3 : 1> mixed;
 };
 
-template <std::size_t axes>
-[[gnu::always_inline]] inline Differences<axes> differences(const double* v, const Reach& d) {
+/// Differences are taken in double whatever comes after: strongly clustered points have few digits
+/// of their own.
+template <class Real, std::size_t axes>
+[[gnu::always_inline]] inline Differences<Real, axes> differences(const double* v, const Reach& d) {
     const std::ptrdiff_t p = d.previous;
     const std::ptrdiff_t n = d.next;
     const std::ptrdiff_t j = d.stride_j;
-    Differences<axes> r;
-    r.first[0] = v[n] - v[p];
-    r.first[1] = v[j] - v[-j];
+    Differences<Real, axes> r;
+    r.first[0] = static_cast<Real>(v[n] - v[p]);
+    r.first[1] = static_cast<Real>(v[j] - v[-j]);
     // Differences of differences: of strongly clustered parameters they keep their digits.
-    r.second[0] = (v[n] - v[0]) - (v[0] - v[p]);
-    r.second[1] = (v[j] - v[0]) - (v[0] - v[-j]);
-    r.mixed[0] = (v[n + j] - v[n - j]) - (v[p + j] - v[p - j]);
+    r.second[0] = static_cast<Real>((v[n] - v[0]) - (v[0] - v[p]));
+    r.second[1] = static_cast<Real>((v[j] - v[0]) - (v[0] - v[-j]));
+    r.mixed[0] = static_cast<Real>((v[n + j] - v[n - j]) - (v[p + j] - v[p - j]));
     if constexpr (axes == 3) {
         const std::ptrdiff_t k = d.stride_k;
-        r.first[2] = v[k] - v[-k];
-        r.second[2] = (v[k] - v[0]) - (v[0] - v[-k]);
-        r.mixed[1] = (v[n + k] - v[n - k]) - (v[p + k] - v[p - k]);
-        r.mixed[2] = (v[j + k] - v[j - k]) - (v[k - j] - v[-j - k]);
+        r.first[2] = static_cast<Real>(v[k] - v[-k]);
+        r.second[2] = static_cast<Real>((v[k] - v[0]) - (v[0] - v[-k]));
+        r.mixed[1] = static_cast<Real>((v[n + k] - v[n - k]) - (v[p + k] - v[p - k]));
+        r.mixed[2] = static_cast<Real>((v[j + k] - v[j - k]) - (v[k - j] - v[-j - k]));
     }
     return r;
 }
 
 /// The operator at one node, its centre -1, and 2 (alpha^11 + alpha^22 + alpha^33) over the
 /// determinant of the parameters' first differences.
-template <std::size_t axes>
+template <class Real, std::size_t axes>
 struct Coefficients {
-    std::array<double, axes> second;
-    std::array<double, axes == 3 ? 3 : 1> mixed;
-    std::array<double, axes> first;
-    double weight;
+    std::array<Real, axes> second;
+    std::array<Real, axes == 3 ? 3 : 1> mixed;
+    std::array<Real, axes> first;
 };
 
-template <std::size_t axes>
-[[gnu::always_inline]] inline double second_order_part(const Coefficients<axes>& c,
-                                                       const Differences<axes>& v) {
-    double sum = c.second[0] * v.second[0] + c.second[1] * v.second[1] + c.mixed[0] * v.mixed[0];
+template <class Real, std::size_t axes>
+[[gnu::always_inline]] inline Real second_order_part(const Coefficients<Real, axes>& c,
+                                                     const Differences<Real, axes>& v) {
+    Real sum = c.second[0] * v.second[0] + c.second[1] * v.second[1] + c.mixed[0] * v.mixed[0];
     if constexpr (axes == 3) {
         sum += c.second[2] * v.second[2] + c.mixed[1] * v.mixed[1] + c.mixed[2] * v.mixed[2];
     }
     return sum;
 }
 
-template <std::size_t axes>
-[[gnu::always_inline]] inline double whole_operator(const Coefficients<axes>& c,
-                                                    const Differences<axes>& v) {
-    double sum = second_order_part<axes>(c, v) + c.first[0] * v.first[0] + c.first[1] * v.first[1];
+template <class Real, std::size_t axes>
+[[gnu::always_inline]] inline Real whole_operator(const Coefficients<Real, axes>& c,
+                                                  const Differences<Real, axes>& v) {
+    Real sum =
+        second_order_part<Real, axes>(c, v) + c.first[0] * v.first[0] + c.first[1] * v.first[1];
     if constexpr (axes == 3) sum += c.first[2] * v.first[2];
     return sum;
 }
@@ -106,11 +113,11 @@ template <std::size_t axes>
 /// alpha^ij / (2 (alpha^11 + ..)): on a face from the base vectors [eq. (42)], in a block as inner
 /// products of their cross products, the cofactors of eq. (87) without cancellation. Where the
 /// points have collapsed so far that all are zero: those of a uniform orthogonal grid.
-template <std::size_t axes, std::size_t components>
-[[gnu::always_inline]] inline double set_second_order(
-    const std::array<Differences<axes>, components>& x, Coefficients<axes>& c) {
-    Numbers<components> a1;
-    Numbers<components> a2;
+template <class Real, std::size_t axes, std::size_t components>
+[[gnu::always_inline]] inline Real set_second_order(
+    const std::array<Differences<Real, axes>, components>& x, Coefficients<Real, axes>& c) {
+    Numbers<Real, components> a1;
+    Numbers<Real, components> a2;
     unrolled<components>([&](std::size_t n) __attribute__((always_inline)) {
         a1[n] = x[n].first[0];
         a2[n] = x[n].first[1];
@@ -119,54 +126,57 @@ template <std::size_t axes, std::size_t components>
         c.second = {inner(a2, a2), inner(a1, a1)};
         c.mixed = {-inner(a1, a2)};
     } else {
-        const Numbers<3> a3{x[0].first[2], x[1].first[2], x[2].first[2]};
-        const Numbers<3> b1 = outer(a2, a3);
-        const Numbers<3> b2 = outer(a3, a1);
-        const Numbers<3> b3 = outer(a1, a2);
+        const Numbers<Real, 3> a3{x[0].first[2], x[1].first[2], x[2].first[2]};
+        const Numbers<Real, 3> b1 = outer(a2, a3);
+        const Numbers<Real, 3> b2 = outer(a3, a1);
+        const Numbers<Real, 3> b3 = outer(a1, a2);
         c.second = {inner(b1, b1), inner(b2, b2), inner(b3, b3)};
         c.mixed = {inner(b1, b2), inner(b1, b3), inner(b2, b3)};
     }
-    double sum = c.second[0] + c.second[1];
+    Real sum = c.second[0] + c.second[1];
     if constexpr (axes == 3) sum += c.second[2];
     const bool collapsed = !(sum > 0);
-    const double inverse = 0.5 / (collapsed ? 1.0 : sum);
+    const Real inverse = Real(0.5) / (collapsed ? Real(1) : sum);
     unrolled<axes>([&](std::size_t n) __attribute__((always_inline)) {
-        c.second[n] = collapsed ? 0.5 / axes : c.second[n] * inverse;
+        c.second[n] = collapsed ? Real(0.5) / static_cast<Real>(axes) : c.second[n] * inverse;
     });
     unrolled<axes == 3 ? 3 : 1>([&](std::size_t n) __attribute__((always_inline)) {
-        c.mixed[n] *= 0.5 * inverse;  // 2 alpha^ij, over the 4 of the difference
+        c.mixed[n] *= Real(0.5) * inverse;  // 2 alpha^ij, over the 4 of the difference
     });
     return 2 * sum;
 }
 
 /// Chooses first[] such that the operator annihilates s, t (and u): Cramer's rule for
 /// T (S, T, U) = -w with the columns of T the first differences of the parameters.
-template <std::size_t axes>
-[[gnu::always_inline]] inline double set_first_order(const std::array<Differences<axes>, axes>& s,
-                                                     Coefficients<axes>& c) {
-    Numbers<axes> w;
-    unrolled<axes>([&](std::size_t n)
-                       __attribute__((always_inline)) { w[n] = second_order_part<axes>(c, s[n]); });
+template <class Real, std::size_t axes>
+[[gnu::always_inline]] inline Real set_first_order(
+    const std::array<Differences<Real, axes>, axes>& s, Coefficients<Real, axes>& c) {
+    Numbers<Real, axes> w;
+    unrolled<axes>([&](std::size_t n) __attribute__((always_inline)) {
+        w[n] = second_order_part<Real, axes>(c, s[n]);
+    });
     if constexpr (axes == 2) {
-        const Numbers<2> t1{s[0].first[0], s[1].first[0]};
-        const Numbers<2> t2{s[0].first[1], s[1].first[1]};
-        const double determinant = t1[0] * t2[1] - t2[0] * t1[1];
-        const double inverse = 1 / (determinant == 0 ? 1.0 : determinant);
+        const Numbers<Real, 2> t1{s[0].first[0], s[1].first[0]};
+        const Numbers<Real, 2> t2{s[0].first[1], s[1].first[1]};
+        const Real determinant = t1[0] * t2[1] - t2[0] * t1[1];
+        const Real inverse = 1 / (determinant == 0 ? Real(1) : determinant);
         c.first = {(t2[0] * w[1] - w[0] * t2[1]) * inverse,
                    (w[0] * t1[1] - t1[0] * w[1]) * inverse};
         return determinant;
     } else {
-        const Numbers<3> t1{s[0].first[0], s[1].first[0], s[2].first[0]};
-        const Numbers<3> t2{s[0].first[1], s[1].first[1], s[2].first[1]};
-        const Numbers<3> t3{s[0].first[2], s[1].first[2], s[2].first[2]};
-        const Numbers<3> b1 = outer(t2, t3);
-        const double determinant = inner(t1, b1);
-        const double inverse = 1 / (determinant == 0 ? 1.0 : determinant);
+        const Numbers<Real, 3> t1{s[0].first[0], s[1].first[0], s[2].first[0]};
+        const Numbers<Real, 3> t2{s[0].first[1], s[1].first[1], s[2].first[1]};
+        const Numbers<Real, 3> t3{s[0].first[2], s[1].first[2], s[2].first[2]};
+        const Numbers<Real, 3> b1 = outer(t2, t3);
+        const Real determinant = inner(t1, b1);
+        const Real inverse = 1 / (determinant == 0 ? Real(1) : determinant);
         c.first = {-inner(w, b1) * inverse, -inner(w, outer(t3, t1)) * inverse,
                    -inner(w, outer(t1, t2)) * inverse};
         return determinant;
     }
 }
+
+constexpr int strip_rows = 8;
 
 /// The arrays of one row; components follow one another at the distance `length`.
 struct Row {
@@ -179,7 +189,7 @@ struct Row {
     std::ptrdiff_t length;
 };
 
-template <std::size_t axes, std::size_t components, Assembly wanted, RightHandSide side>
+template <class Real, std::size_t axes, std::size_t components, Assembly wanted, RightHandSide side>
 void assemble_segment(const Row& row, const RowSegment& segment, Reach in_points,
                       Reach in_parameters, double scale) {
     constexpr std::ptrdiff_t planes = axes == 3 ? 3 : 1;
@@ -193,21 +203,22 @@ void assemble_segment(const Row& row, const RowSegment& segment, Reach in_points
     const std::ptrdiff_t end = segment.first + segment.count;
 #pragma GCC ivdep
     for (std::ptrdiff_t p = segment.first; p < end; ++p) {
-        std::array<Differences<axes>, components> x;
-        std::array<Differences<axes>, axes> s;
+        std::array<Differences<Real, axes>, components> x;
+        std::array<Differences<Real, axes>, axes> s;
         unrolled<components>([&](std::size_t n) __attribute__((always_inline)) {
-            x[n] =
-                differences<axes>(points + static_cast<std::ptrdiff_t>(n) * length + p, in_points);
+            x[n] = differences<Real, axes>(points + static_cast<std::ptrdiff_t>(n) * length + p,
+                                           in_points);
         });
         unrolled<axes>([&](std::size_t n) __attribute__((always_inline)) {
-            s[n] = differences<axes>(parameters + static_cast<std::ptrdiff_t>(n) * length + p,
-                                     in_parameters);
+            s[n] = differences<Real, axes>(parameters + static_cast<std::ptrdiff_t>(n) * length + p,
+                                           in_parameters);
         });
-        Coefficients<axes> c;
-        const double centre = set_second_order<axes, components>(x, c);
-        const double determinant = std::abs(set_first_order<axes>(s, c));
-        const double weight = scale * centre / (determinant > 0 ? determinant : 1.0);
-        const double safe_weight = weight > 0 ? weight : 1.0;
+        Coefficients<Real, axes> c;
+        const Real centre = set_second_order<Real, axes, components>(x, c);
+        const Real determinant = std::abs(set_first_order<Real, axes>(s, c));
+        const Real weight =
+            static_cast<Real>(scale) * centre / (determinant > 0 ? determinant : Real(1));
+        const Real safe_weight = weight > 0 ? weight : Real(1);
         if constexpr (wanted == Assembly::residuals_and_stencils) {
             unrolled<axes>([&](std::size_t n) __attribute__((always_inline)) {
                 const auto at = static_cast<std::ptrdiff_t>(n) * length + p;
@@ -223,15 +234,16 @@ void assemble_segment(const Row& row, const RowSegment& segment, Reach in_points
         }
         weights[p] = static_cast<float>(weight);
         unrolled<components>([&](std::size_t n) __attribute__((always_inline)) {
-            const double value = whole_operator<axes>(c, x[n]);
+            const Real value = whole_operator<Real, axes>(c, x[n]);
             const std::ptrdiff_t at = p + static_cast<std::ptrdiff_t>(n) * length;
             if constexpr (side == RightHandSide::zero) {
                 residuals[at] = static_cast<float>(-value);
             } else if constexpr (side == RightHandSide::given) {
-                residuals[at] = static_cast<float>(right_hand_sides[at] / safe_weight - value);
+                residuals[at] = static_cast<float>(
+                    static_cast<Real>(right_hand_sides[at]) / safe_weight - value);
             } else {
-                const double integrated = static_cast<double>(residuals[at]);
-                right_hand_sides[at] = safe_weight * value + integrated;
+                const Real integrated = static_cast<Real>(residuals[at]);
+                right_hand_sides[at] = static_cast<double>(safe_weight * value + integrated);
                 residuals[at] = static_cast<float>(integrated / safe_weight);
             }
         });
@@ -250,72 +262,89 @@ void clear_ends(const RowShape& shape, float* row, int components) {
     }
 }
 
-template <std::size_t axes, std::size_t components, Assembly wanted, RightHandSide side>
+template <class Real, std::size_t axes, std::size_t components, Assembly wanted, RightHandSide side>
 void assemble_rows(Level& level, double scale) {
     const Extent& e = level.extent;
     const auto segments = level.shape.segments();
-    const int rows = e.nj - 2;
     const int layers = level.last_k() - level.first_k() + 1;
-    parallel_blocks(rows * layers, e.ni * 30, [&](int begin, int end) {
+    // Strips of rows, through all layers: what one layer read of its neighbours is still in cache
+    // for the next.
+    const int strips = (e.nj - 2 + strip_rows - 1) / strip_rows;
+    parallel_blocks(strips * layers, strip_rows * e.ni * 30, [&](int begin, int end) {
         for (int n = begin; n < end; ++n) {
-            const int j = 1 + n % rows;
-            const int k = level.first_k() + n / rows;
-            const Row row{level.points.row(j, k),
-                          level.parameters.row(j, k),
-                          level.stencils.row(j, k),
-                          level.weights.row(j, k),
-                          level.residuals.row(j, k),
-                          side == RightHandSide::zero ? nullptr : level.right_hand_sides.row(j, k),
-                          level.shape.length()};
-            for (const RowSegment& segment : segments) {
-                assemble_segment<axes, components, wanted, side>(
-                    row, segment,
-                    {segment.previous, segment.next, level.points.stride_j(),
-                     level.points.stride_k()},
-                    {segment.previous, segment.next, level.parameters.stride_j(),
-                     level.parameters.stride_k()},
-                    scale);
+            const int k = level.first_k() + n % layers;
+            const int first = 1 + n / layers * strip_rows;
+            const int last = std::min(first + strip_rows, e.nj - 1);
+            for (int j = first; j < last; ++j) {
+                const Row row{
+                    level.points.row(j, k),
+                    level.parameters.row(j, k),
+                    level.stencils.row(j, k),
+                    level.weights.row(j, k),
+                    level.residuals.row(j, k),
+                    side == RightHandSide::zero ? nullptr : level.right_hand_sides.row(j, k),
+                    level.shape.length()};
+                for (const RowSegment& segment : segments) {
+                    assemble_segment<Real, axes, components, wanted, side>(
+                        row, segment,
+                        {segment.previous, segment.next, level.points.stride_j(),
+                         level.points.stride_k()},
+                        {segment.previous, segment.next, level.parameters.stride_j(),
+                         level.parameters.stride_k()},
+                        scale);
+                }
+                if constexpr (wanted == Assembly::residuals_and_stencils) {
+                    clear_ends(level.shape, row.stencils, axes == 3 ? 9 : 5);
+                }
+                clear_ends(level.shape, row.weights, 1);
+                clear_ends(level.shape, row.residuals, components);
             }
-            if constexpr (wanted == Assembly::residuals_and_stencils) {
-                clear_ends(level.shape, row.stencils, axes == 3 ? 9 : 5);
-            }
-            clear_ends(level.shape, row.weights, 1);
-            clear_ends(level.shape, row.residuals, components);
         }
     });
 }
 
-template <std::size_t axes, std::size_t components, Assembly wanted>
+template <class Real, std::size_t axes, std::size_t components, Assembly wanted>
 void assemble_sided(Level& level, RightHandSide side, double scale) {
     switch (side) {
         case RightHandSide::zero:
-            return assemble_rows<axes, components, wanted, RightHandSide::zero>(level, scale);
+            return assemble_rows<Real, axes, components, wanted, RightHandSide::zero>(level, scale);
         case RightHandSide::given:
-            return assemble_rows<axes, components, wanted, RightHandSide::given>(level, scale);
+            return assemble_rows<Real, axes, components, wanted, RightHandSide::given>(level,
+                                                                                       scale);
         case RightHandSide::from_residual:
-            return assemble_rows<axes, components, wanted, RightHandSide::from_residual>(level,
-                                                                                         scale);
+            return assemble_rows<Real, axes, components, wanted, RightHandSide::from_residual>(
+                level, scale);
+    }
+}
+
+template <class Real, std::size_t axes, std::size_t components>
+void assemble_wanted(Level& level, const AssemblyOptions& options, double scale) {
+    if (options.wanted == Assembly::residuals) {
+        assemble_sided<Real, axes, components, Assembly::residuals>(level, options.side, scale);
+    } else {
+        assemble_sided<Real, axes, components, Assembly::residuals_and_stencils>(
+            level, options.side, scale);
     }
 }
 
 template <std::size_t axes, std::size_t components>
-void assemble_wanted(Level& level, Assembly wanted, RightHandSide side, double scale) {
-    if (wanted == Assembly::residuals) {
-        assemble_sided<axes, components, Assembly::residuals>(level, side, scale);
+void assemble_precise(Level& level, const AssemblyOptions& options, double scale) {
+    if (options.precise) {
+        assemble_wanted<double, axes, components>(level, options, scale);
     } else {
-        assemble_sided<axes, components, Assembly::residuals_and_stencils>(level, side, scale);
+        assemble_wanted<float, axes, components>(level, options, scale);
     }
 }
 
 }  // namespace
 
-void assemble(Level& level, Assembly wanted, RightHandSide right_hand_side, double scale) {
+void assemble(Level& level, const AssemblyOptions& options, double scale) {
     if (level.axes == 3) {
-        assemble_wanted<3, 3>(level, wanted, right_hand_side, scale);
+        assemble_precise<3, 3>(level, options, scale);
     } else if (level.components == 3) {
-        assemble_wanted<2, 3>(level, wanted, right_hand_side, scale);
+        assemble_precise<2, 3>(level, options, scale);
     } else {
-        assemble_wanted<2, 2>(level, wanted, right_hand_side, scale);
+        assemble_precise<2, 2>(level, options, scale);
     }
 }
 

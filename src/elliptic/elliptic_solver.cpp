@@ -50,10 +50,11 @@ bool is_rounding(double displacement, const PointField& points) {
     return displacement <= rounding_multiple * rounding;
 }
 
-/// Cycles until convergence, or until there is no hope of it. Returns whether the points may stand.
-bool run_cycles(PointField& points, const ParameterField& parameters, const CycleOptions& how,
+/// Cycles until convergence, or until there is no hope of it. Returns whether the points may stand;
+/// the parameters are still there only where they may not.
+bool run_cycles(PointField& points, ParameterField& parameters, const CycleOptions& how,
                 const EllipticOptions& options, SolveResult& result) {
-    Multigrid multigrid(points, parameters, how);
+    Multigrid multigrid(points, std::move(parameters), how);
     multigrid.start();
     std::vector<double> steps;
     double least = std::numeric_limits<double>::infinity();
@@ -66,6 +67,7 @@ bool run_cycles(PointField& points, const ParameterField& parameters, const Cycl
         result.displacement = steps.back();
         if (!(steps.back() < hopeless_displacement)) {
             result.status = SolveStatus::diverged;
+            parameters = multigrid.parameters();
             return false;
         }
         since_least = steps.back() < least ? 0 : since_least + 1;
@@ -77,6 +79,12 @@ bool run_cycles(PointField& points, const ParameterField& parameters, const Cycl
             return true;
         }
     }
+    const bool ran_out = allowed == options.maximum_cycles && since_least < patience;
+    result.status = SolveStatus::not_converged;
+    if (ran_out) {
+        multigrid.write(points);
+        return true;
+    }
     PointField last = points;
     multigrid.write(last);
     if (is_rounding(least, last)) {
@@ -84,14 +92,12 @@ bool run_cycles(PointField& points, const ParameterField& parameters, const Cycl
         points = std::move(last);
         return true;
     }
-    result.status = SolveStatus::not_converged;
-    const bool ran_out = allowed == options.maximum_cycles && since_least < patience;
-    if (ran_out) points = std::move(last);
-    return ran_out;
+    parameters = multigrid.parameters();
+    return false;
 }
 
-void solve_inside(PointField& points, const ParameterField& parameters,
-                  const EllipticOptions& options, SolveResult& result) {
+void solve_inside(PointField& points, ParameterField parameters, const EllipticOptions& options,
+                  SolveResult& result) {
     const CycleOptions usual = CycleOptions::of(points.extent().nk > 1 ? 3 : 2);
     if (run_cycles(points, parameters, usual, options, result)) return;
     result.safeguards.push_back(Safeguard::damping);
@@ -109,13 +115,13 @@ void solve_inside(PointField& points, const ParameterField& parameters,
 
 }  // namespace
 
-SolveResult solve_elliptic(PointField& points, const ParameterField& parameters,
+SolveResult solve_elliptic(PointField& points, ParameterField parameters,
                            const EllipticOptions& options) {
     SolveResult result;
     result.tolerance = options.tolerance;
     result.folded_before = count_folded(points);
     if (NodeLattice(points.extent()).has_interior()) {
-        solve_inside(points, parameters, options, result);
+        solve_inside(points, std::move(parameters), options, result);
     } else {
         result.status = SolveStatus::converged;
     }

@@ -26,7 +26,7 @@ struct ParameterField {
 /// folded or not, and is replaced by the solution (the best iterate where it did not converge).
 /// Convergence is measured as displacement along the contravariant base vectors (cell units).
 /// Deterministic; never throws for hard geometry.
-SolveResult solve_elliptic(PointField& points, const ParameterField& parameters,
+SolveResult solve_elliptic(PointField& points, ParameterField parameters,
                            const EllipticOptions& options);
 
 }  // namespace hexweave

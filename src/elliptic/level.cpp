@@ -44,6 +44,16 @@ void store(const Field& field, int component, RowArray<double>& rows) {
     });
 }
 
+void restore(const RowArray<double>& rows, int component, Field& field) {
+    const Extent& e = field.extent();
+    const RowShape shape(e.ni);
+    for (int n = 0; n < e.nj * e.nk; ++n) {
+        double* const value = field.data() + e.offset(0, n % e.nj, n / e.nj);
+        const double* const row = rows.row(n % e.nj, n / e.nj) + component * shape.length();
+        for (int i = 0; i < e.ni; ++i) value[i] = row[shape.at(i)];
+    }
+}
+
 void restore_interior(const RowArray<double>& rows, int component, Field& field) {
     const Extent& e = field.extent();
     const RowShape shape(e.ni);

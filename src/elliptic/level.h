@@ -122,8 +122,9 @@ constexpr int halved_count(int count) {
     return count / 2 + 1;
 }
 
-/// Copies a field to component `component` of the rows, and its interior nodes back.
+/// Copies a field to component `component` of the rows, and back: all nodes or the interior ones.
 void store(const Field& field, int component, RowArray<double>& rows);
+void restore(const RowArray<double>& rows, int component, Field& field);
 void restore_interior(const RowArray<double>& rows, int component, Field& field);
 
 /// A level of every second node of `finer` along the axes `halved`, with the parameters of these

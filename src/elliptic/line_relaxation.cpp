@@ -11,6 +11,9 @@ namespace hexweave {
 
 namespace {
 
+/// Rows whose lines along k are relaxed together: few, so that they stay in cache on the way back.
+constexpr int strip_rows = 2;
+
 /// Rough nanoseconds per node of a sweep, for the decision whether threads are worth waking.
 constexpr int cost_of_node = 10;
 
@@ -301,15 +304,20 @@ void relax_columns(Level& level, const RowSegment& segment, int first, int count
 
 template <int components>
 void relax_columns(Level& level) {
-    const int cost = level.extent.ni * level.extent.nk * cost_of_node;
+    const int cost = level.extent.ni * level.extent.nk * cost_of_node * strip_rows;
     for (int parity = 1; parity >= 0; --parity) {
         const int first = 2 - parity;
-        const int count = (level.extent.nj - 2 - first) / 2 + 1;
-        for (const RowSegment& segment : level.shape.segments()) {
-            parallel_blocks(count, cost, [&](int begin, int end) {
-                relax_columns<components>(level, segment, first + 2 * begin, end - begin);
-            });
-        }
+        const int rows = (level.extent.nj - 2 - first) / 2 + 1;
+        const int strips = (rows + strip_rows - 1) / strip_rows;
+        parallel_blocks(strips, cost, [&](int begin, int end) {
+            for (int strip = begin; strip < end; ++strip) {
+                const int done = strip * strip_rows;
+                const int count = std::min(strip_rows, rows - done);
+                for (const RowSegment& segment : level.shape.segments()) {
+                    relax_columns<components>(level, segment, first + 2 * done, count);
+                }
+            }
+        });
     }
 }
 

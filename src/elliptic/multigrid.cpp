@@ -26,6 +26,9 @@ constexpr int coarsest_trials = 100;
 /// Sweeps over a level that has just been given the changes of the one below.
 constexpr int first_sweeps = 2;
 
+/// Where displacements are larger than this, residuals in single precision do.
+constexpr double least_imprecise = 3e-3;
+
 bool is_planar(const PointField& points) {
     if (points.extent().nk > 1) return false;
     const double* const z = points.z.data();
@@ -45,7 +48,8 @@ double inverse_scale(const PointField& points) {
     return points.extent().nk > 1 ? square * square : square;
 }
 
-Level finest_level(const PointField& points, const ParameterField& parameters) {
+/// Each parameter is freed once it is stored: at its peak a solve holds them once.
+Level finest_level(const PointField& points, ParameterField&& parameters) {
     Level level;
     level.extent = points.extent();
     level.shape = RowShape(level.extent.ni);
@@ -56,9 +60,9 @@ Level finest_level(const PointField& points, const ParameterField& parameters) {
     store(points.x, 0, level.points);
     store(points.y, 1, level.points);
     if (level.components == 3) store(points.z, 2, level.points);
-    store(parameters.s, 0, level.parameters);
-    store(parameters.t, 1, level.parameters);
-    if (level.axes == 3) store(parameters.u, 2, level.parameters);
+    store(std::exchange(parameters.s, {}), 0, level.parameters);
+    store(std::exchange(parameters.t, {}), 1, level.parameters);
+    if (level.axes == 3) store(std::exchange(parameters.u, {}), 2, level.parameters);
     return level;
 }
 
@@ -80,10 +84,10 @@ CycleOptions CycleOptions::of(int axes) {
     return axes == 3 ? CycleOptions{0, 4, 1, 9} : CycleOptions{2, 2, 1, 33};
 }
 
-Multigrid::Multigrid(const PointField& points, const ParameterField& parameters,
+Multigrid::Multigrid(const PointField& points, ParameterField&& parameters,
                      const CycleOptions& options)
     : options_(options), weight_scale_(inverse_scale(points)) {
-    levels_.push_back(finest_level(points, parameters));
+    levels_.push_back(finest_level(points, std::move(parameters)));
     for (const auto& halved : plan_coarsening(levels_.front(), options.least_nodes)) {
         levels_.push_back(coarser_level(levels_.back(), halved));
     }
@@ -97,10 +101,22 @@ void Multigrid::write(PointField& points) const {
     if (finest.components == 3) restore_interior(finest.points, 2, points.z);
 }
 
+ParameterField Multigrid::parameters() const {
+    const Level& finest = levels_.front();
+    ParameterField parameters{Field(finest.extent), Field(finest.extent), {}};
+    restore(finest.parameters, 0, parameters.s);
+    restore(finest.parameters, 1, parameters.t);
+    if (finest.axes == 3) {
+        parameters.u = Field(finest.extent);
+        restore(finest.parameters, 2, parameters.u);
+    }
+    return parameters;
+}
+
 /// Relaxes with coefficients frozen at the present points.
 void Multigrid::smooth(std::size_t index, RightHandSide side, int sweeps) {
     Level& level = levels_[index];
-    assemble(level, Assembly::residuals_and_stencils, side, weight_scale_);
+    assemble(level, {Assembly::residuals_and_stencils, side, precise_}, weight_scale_);
     level.corrections.clear();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         relax_lines(level, sweep % 2 == 0 ? SweepOrder::backward : SweepOrder::forward);
@@ -128,7 +144,7 @@ void Multigrid::descend_and_return(std::size_t index, RightHandSide side) {
     }
     // The residual that is left is that of the nonlinear equations, not of the frozen ones: where
     // the grid is strongly bent this saves half of the cycles.
-    assemble(level, Assembly::residuals, side, weight_scale_);
+    assemble(level, {Assembly::residuals, side, precise_}, weight_scale_);
     if (side == RightHandSide::from_residual) side = RightHandSide::given;
     integrate_residuals(level);
     restrict_residuals(level, coarse);
@@ -143,7 +159,9 @@ double Multigrid::cycle() {
     Level& finest = levels_.front();
     finest.steps.clear();
     descend_and_return(0, RightHandSide::zero);
-    return largest_displacement(finest, finest.steps);
+    const double displacement = largest_displacement(finest, finest.steps);
+    precise_ = !(displacement > least_imprecise);
+    return displacement;
 }
 
 void Multigrid::start() {

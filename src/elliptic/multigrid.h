@@ -25,9 +25,9 @@ struct CycleOptions {
 
 class Multigrid {
 public:
-    /// `points`: the boundary, and the start grid inside.
-    Multigrid(const PointField& points, const ParameterField& parameters,
-              const CycleOptions& options);
+    /// `points`: the boundary, and the start grid inside. The parameters are taken over, and may be
+    /// asked back.
+    Multigrid(const PointField& points, ParameterField&& parameters, const CycleOptions& options);
 
     /// Nested iteration: solves the coarsest grid, then goes up to the finest with a cycle on every
     /// level between. What is carried up are the changes of the start grid, not the points.
@@ -37,6 +37,7 @@ public:
 
     /// Interior nodes only: boundary nodes of `points` are not touched.
     void write(PointField& points) const;
+    ParameterField parameters() const;
 
 private:
     void smooth(std::size_t index, RightHandSide side, int sweeps);
@@ -46,6 +47,7 @@ private:
     CycleOptions options_;
     std::vector<Level> levels_;  ///< the finest first
     double weight_scale_ = 1;
+    bool precise_ = false;
 };
 
 }  // namespace hexweave

@@ -67,33 +67,53 @@ void gather_across(Level& level, int axis) {
     });
 }
 
-/// coarse row <- finer row, with the nodes between gathered where i is halved.
-void gather_along(const Level& finer, Level& coarse, int j, int k) {
-    const int ni = finer.extent.ni;
-    const int coarse_ni = coarse.extent.ni;
+/// Adds to every coarse node of a row its shares of the nodes between, in place. Of a row of n
+/// nodes the even ones are coarse (and the last); even node m lies between the odd ones m - 1 and
+/// m.
+void gather_between(const RowShape& shape, const double* s, int components, float* row) {
+    const std::ptrdiff_t odd = shape.segments()[1].first;
+    const std::ptrdiff_t length = shape.length();
+    const int pairs = (shape.nodes() - 1) / 2;  // nodes between two coarse ones
+    for (int m = 0; m < pairs; ++m) {
+        const float part = share(s[m], s[odd + m], s[m + 1]);
+        for (int c = 0; c < components; ++c) {
+            float* const v = row + c * length;
+            v[m] += (1.0F - part) * v[odd + m];
+            v[m + 1] += part * v[odd + m];
+        }
+    }
+}
+
+/// coarse row <- the coarse nodes of the finer row, the nodes between gathered where i is halved.
+void gather_along(Level& finer, Level& coarse, int j, int k) {
     const bool halved = coarse.halved[0];
     const int fine_j = finer_index(j, finer.extent.nj, coarse.halved[1]);
     const int fine_k = finer_index(k, finer.extent.nk, coarse.halved[2]);
-    const int length = finer.shape.length();
-    const int coarse_length = coarse.shape.length();
-    const double* const s = finer.parameters.row(fine_j, fine_k);
-    const float* const from = finer.residuals.row(fine_j, fine_k);
-    float* const to = coarse.residuals.row(j, k);
-    for (int i = 1; i < coarse_ni - 1; ++i) {
-        const int fine_i = finer_index(i, ni, halved);
-        const std::ptrdiff_t here = finer.shape.at(fine_i);
-        const std::ptrdiff_t target = coarse.shape.at(i);
-        for (int c = 0; c < finer.components; ++c) {
-            to[c * coarse_length + target] = from[c * length + here];
+    float* from = finer.residuals.row(fine_j, fine_k);
+    float* to = coarse.residuals.row(j, k);
+    if (halved) {
+        gather_between(finer.shape, finer.parameters.row(fine_j, fine_k), finer.components, from);
+    }
+    for (int c = 0; c < finer.components; ++c) {
+        for (int i = 1; i < coarse.extent.ni - 1; ++i) {
+            to[coarse.shape.at(i)] = from[finer.shape.at(finer_index(i, finer.extent.ni, halved))];
         }
-        for (const int side : {-1, 1}) {
-            if (!is_between(fine_i + side, ni, halved)) continue;
-            const std::ptrdiff_t middle = finer.shape.at(fine_i + side);
-            const std::ptrdiff_t far = finer.shape.at(fine_i + 2 * side);
-            const float part = 1.0F - share(s[here], s[middle], s[far]);
-            for (int c = 0; c < finer.components; ++c) {
-                to[c * coarse_length + target] += part * from[c * length + middle];
-            }
+        from += finer.shape.length();
+        to += coarse.shape.length();
+    }
+}
+
+/// Fills the nodes between the coarse ones of a row.
+void interpolate_between(const RowShape& shape, const double* s, int components, float* row) {
+    const std::ptrdiff_t odd = shape.segments()[1].first;
+    const std::ptrdiff_t length = shape.length();
+    const int pairs = (shape.nodes() - 1) / 2;
+    for (int c = 0; c < components; ++c) {
+        float* const v = row + c * length;
+        float* const between = v + odd;
+        for (int m = 0; m < pairs; ++m) {
+            const float part = share(s[m], s[odd + m], s[m + 1]);
+            between[m] = (1.0F - part) * v[m] + part * v[m + 1];
         }
     }
 }
@@ -102,32 +122,22 @@ void gather_along(const Level& finer, Level& coarse, int j, int k) {
 /// them.
 void interpolate_along(Level& finer, const Level& coarse, int j, int k) {
     const int ni = finer.extent.ni;
-    const int coarse_ni = coarse.extent.ni;
     const bool halved = coarse.halved[0];
     const int fine_j = finer_index(j, finer.extent.nj, coarse.halved[1]);
     const int fine_k = finer_index(k, finer.extent.nk, coarse.halved[2]);
-    const int length = finer.shape.length();
-    const double* const s = finer.parameters.row(fine_j, fine_k);
     float* const row = finer.corrections.row(fine_j, fine_k);
     for (int c = 0; c < finer.components; ++c) {
-        const double* const old = finer.points.row(fine_j, fine_k) + c * length;
+        const double* const old = finer.points.row(fine_j, fine_k) + c * finer.shape.length();
         const double* const now = coarse.points.row(j, k) + c * coarse.shape.length();
-        float* const to = row + static_cast<std::ptrdiff_t>(c) * length;
-        for (int i = 0; i < coarse_ni; ++i) {
+        float* const to = row + static_cast<std::ptrdiff_t>(c) * finer.shape.length();
+        for (int i = 0; i < coarse.extent.ni; ++i) {
             const std::ptrdiff_t at = finer.shape.at(finer_index(i, ni, halved));
             to[at] = static_cast<float>(now[coarse.shape.at(i)] - old[at]);
         }
     }
-    for (int i = 1; i < ni - 1; ++i) {
-        if (!is_between(i, ni, halved)) continue;
-        const std::ptrdiff_t below = finer.shape.at(i - 1);
-        const std::ptrdiff_t here = finer.shape.at(i);
-        const std::ptrdiff_t above = finer.shape.at(i + 1);
-        const float part = share(s[below], s[here], s[above]);
-        for (int c = 0; c < finer.components; ++c) {
-            float* const v = row + static_cast<std::ptrdiff_t>(c) * length;
-            v[here] = (1.0F - part) * v[below] + part * v[above];
-        }
+    if (halved) {
+        interpolate_between(finer.shape, finer.parameters.row(fine_j, fine_k), finer.components,
+                            row);
     }
 }
 

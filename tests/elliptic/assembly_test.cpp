@@ -68,7 +68,7 @@ TEST_CASE("points linear in the parameters have no residual, however clustered")
             if (e.nk > 1 && components == 2) continue;
             Level level = shapes::level_of(shapes::sample(e, map),
                                            shapes::sample_parameters(e, clustered), components);
-            assemble(level, Assembly::residuals, RightHandSide::zero, scale);
+            assemble(level, {Assembly::residuals, RightHandSide::zero}, scale);
             double largest = 0;
             shapes::for_inside(level, [&](int i, int j, int k) {
                 for (int c = 0; c < components; ++c) {
@@ -89,7 +89,7 @@ TEST_CASE("residuals are those of the equations written out") {
         const ParameterField parameters = shapes::sample_parameters(sample.extent, clustered);
         for (const Assembly wanted : {Assembly::residuals, Assembly::residuals_and_stencils}) {
             level.residuals.clear();
-            assemble(level, wanted, RightHandSide::zero, scale);
+            assemble(level, {wanted, RightHandSide::zero}, scale);
             shapes::for_inside(level, [&](int i, int j, int k) {
                 const Vec3 step = shapes::unfulfilled(points, parameters, i, j, k);
                 for (int c = 0; c < sample.components; ++c) {
@@ -105,7 +105,7 @@ TEST_CASE("residuals are those of the equations written out") {
 TEST_CASE("the stencil applied to the points is the residual, and its centre is -1") {
     for (const Sample& sample : samples) {
         Level level = level_of(sample);
-        assemble(level, Assembly::residuals_and_stencils, RightHandSide::zero, scale);
+        assemble(level, {Assembly::residuals_and_stencils, RightHandSide::zero}, scale);
         const int axes = level.axes;
         const int planes = axes == 3 ? 3 : 1;
         shapes::for_inside(level, [&](int i, int j, int k) {
@@ -165,14 +165,14 @@ TEST_CASE("an equation weighs the same on a level and on the next coarser one") 
               std::array{false, true, false}, std::array{false, e.nk == 1, e.nk > 1}}) {
             Level fine =
                 shapes::level_of(shapes::sample(e, map), shapes::sample_parameters(e, uniform), 3);
-            assemble(fine, Assembly::residuals, RightHandSide::zero, scale);
+            assemble(fine, {Assembly::residuals, RightHandSide::zero}, scale);
             integrate_residuals(fine);
             Level coarse = coarser_level(fine, halved);
             shapes::add_work(coarse);
             inject_points(fine, coarse);
             restrict_residuals(fine, coarse);
             RowArray<float> from_fine = coarse.residuals;
-            assemble(coarse, Assembly::residuals, RightHandSide::zero, scale);
+            assemble(coarse, {Assembly::residuals, RightHandSide::zero}, scale);
             integrate_residuals(coarse);
             shapes::for_inside(coarse, [&](int i, int j, int k) {
                 for (int c = 0; c < 3; ++c) {
@@ -190,9 +190,9 @@ TEST_CASE("a right-hand side made from a residual gives it back, and takes chang
         Level level = level_of(sample);
         shapes::fill_inside(level, level.residuals, sample.components, 3);
         const RowArray<float> given = level.residuals;
-        assemble(level, Assembly::residuals, RightHandSide::from_residual, scale);
+        assemble(level, {Assembly::residuals, RightHandSide::from_residual}, scale);
         const RowArray<float> scaled = level.residuals;
-        assemble(level, Assembly::residuals_and_stencils, RightHandSide::given, scale);
+        assemble(level, {Assembly::residuals_and_stencils, RightHandSide::given}, scale);
         shapes::for_inside(level, [&](int i, int j, int k) {
             for (int c = 0; c < sample.components; ++c) {
                 const auto value = [&](const RowArray<float>& rows, int n) {

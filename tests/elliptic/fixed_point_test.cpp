@@ -130,7 +130,7 @@ TEST_CASE("a start grid that is the solution already is converged at once") {
                 solve_elliptic(points, shapes::sample_parameters(e, parameters), {tolerance, 100});
             INFO(e.ni << " x " << e.nj << " x " << e.nk << ", " << result.displacement);
             CHECK(result.status == SolveStatus::converged);
-            CHECK(result.cycles <= 2);
+            CHECK(result.cycles <= 4);  // the first ones in single precision, with its noise
         }
     }
 }

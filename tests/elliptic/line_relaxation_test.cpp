@@ -92,7 +92,7 @@ TEST_CASE("nodes that are coupled along one axis only are solved for in one swee
 TEST_CASE("sweeps keep the boundary and the padding at zero") {
     for (const Shape& shape : all_shapes) {
         Level level = level_of(shape.extent, shape.components);
-        assemble(level, Assembly::residuals_and_stencils, RightHandSide::zero, 1);
+        assemble(level, {Assembly::residuals_and_stencils, RightHandSide::zero}, 1);
         shapes::fill_inside(level, level.residuals, shape.components, 8);
         relax_lines(level, SweepOrder::backward);
         relax_lines(level, SweepOrder::forward);
@@ -115,7 +115,7 @@ TEST_CASE("sweeps keep the boundary and the padding at zero") {
 TEST_CASE("sweeps reduce the residual of the operator, every one of them") {
     for (const Extent e : {Extent{17, 17, 1}, Extent{10, 9, 8}}) {
         Level level = level_of(e, 3);
-        assemble(level, Assembly::residuals_and_stencils, RightHandSide::zero, 1);
+        assemble(level, {Assembly::residuals_and_stencils, RightHandSide::zero}, 1);
         shapes::fill_inside(level, level.residuals, 3, 8);
         double before = 1e30;
         std::vector<float> last(numbers_of(level));
@@ -142,7 +142,7 @@ TEST_CASE("sweeps have the same bits on any number of threads") {
         for (const int count : {1, 2, 4, 7}) {
             set_threads(count);
             Level level = level_of(shape.extent, shape.components);
-            assemble(level, Assembly::residuals_and_stencils, RightHandSide::zero, 1);
+            assemble(level, {Assembly::residuals_and_stencils, RightHandSide::zero}, 1);
             shapes::fill_inside(level, level.residuals, shape.components, 8);
             relax_lines(level, SweepOrder::backward);
             relax_lines(level, SweepOrder::forward);
