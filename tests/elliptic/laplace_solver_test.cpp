@@ -241,4 +241,28 @@ TEST_CASE("axes of any length are halved down to two cells") {
     }
 }
 
+TEST_CASE("elements give every node of a flat grid its own place, however it was displaced") {
+    const Extent extent{17, 13, 1};
+    const PointField points = shapes::sample(extent, [](double xi, double eta, double) {
+        const auto inside = [](double a) { return a > 0.01 && a < 0.99 ? 1.0 : 0.0; };
+        // To and fro in turn, and leaning out of the plane z = 0.
+        const double off = 0.3 * inside(xi) * inside(eta) * std::sin(8.5 * std::acos(-1.0) * xi) *
+                           std::cos(5 * std::acos(-1.0) * eta) / 16;
+        const Vec3 p{xi + off, eta * eta, 0};
+        return Vec3{p.x, 0.8 * p.y, 0.6 * p.y};
+    });
+    Field values = points.x;
+    for (int j = 1; j < extent.nj - 1; ++j) {
+        for (int i = 1; i < extent.ni - 1; ++i) values(i, j) = 0.5;
+    }
+    const LaplaceResult result = solve_laplace(LaplaceHierarchy(element_conductances(points)),
+                                               {true, true, true, true}, {1e-12, 50}, values);
+    REQUIRE(result.converged);
+    double error = 0;
+    for (std::size_t n = 0; n < extent.nodes(); ++n) {
+        error = std::max(error, std::abs(values[n] - points.x[n]));
+    }
+    CHECK(error < 1e-12);
+}
+
 }  // namespace hexweave
