@@ -7,11 +7,11 @@
 #include "blocks/block_boundary.h"
 #include "blocks/flat_edges.h"
 #include "blocks/transfinite_block.h"
+#include "core/largest_first.h"
 #include "elliptic/elliptic_solver.h"
 #include "elliptic/fold_count.h"
 #include "elliptic/untangle.h"
 #include "faces/folded_start.h"
-#include "faces/largest_first.h"
 
 namespace hexweave {
 
@@ -26,7 +26,9 @@ BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces,
     const auto exponents = algebraic ? PerBlockEdge<EndExponents>{} : functions.exponents;
     ParameterField parameters = bilinear_map(grid.points, exponents);
     interpolate_block(grid.points, parameters);
-    if (!algebraic) {
+    if (algebraic) {
+        grid.solve.folded_before = grid.solve.folded_after = count_folded(grid.points);
+    } else {
         if (block.solve.start_folded) fold_interior(grid.points);
         grid.solve = solve_elliptic(grid.points, std::move(parameters),
                                     {block.solve.tolerance, block.solve.maximum_cycles});
@@ -39,6 +41,7 @@ BlockGrid make_block(const Block& block, const std::vector<FaceGrid>& faces,
         if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);
     }
     grid.heights = hold_heights(grid.points, block.solve.heights);
+    if (!grid.heights.empty()) grid.solve.folded_after = count_folded(grid.points);
     return grid;
 }
 

@@ -18,13 +18,14 @@ inline int threads() {
     return omp_get_max_threads();
 }
 
-/// Calls task(index) for every index below `count`, several at a time. The first exception (by
-/// index) is thrown again after all tasks have ended.
+/// Calls task(index) for every index below `count`, several at a time; from within parallel_for
+/// one after the other. The first exception (by index) is thrown again after all tasks have ended.
 template <class Task>
 void parallel_for(std::size_t count, Task&& task) {
     std::exception_ptr failure;
     std::size_t failed_index = count;
-#pragma omp parallel for schedule(dynamic, 1) default(shared)
+    const bool several = count > 1 && omp_in_parallel() == 0;
+#pragma omp parallel for schedule(dynamic, 1) default(shared) if (several)
     for (std::size_t index = 0; index < count; ++index) {
         try {
             task(index);

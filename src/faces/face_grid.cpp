@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
+#include "core/largest_first.h"
 #include "elliptic/elliptic_solver.h"
 #include "elliptic/fold_count.h"
 #include "elliptic/untangle.h"
 #include "faces/face_boundary.h"
 #include "faces/flat_corners.h"
 #include "faces/folded_start.h"
-#include "faces/largest_first.h"
 #include "faces/orthogonal_face.h"
 #include "faces/straight_line_map.h"
 #include "faces/surface_face.h"
@@ -49,6 +49,8 @@ void fill_minimal(FaceGrid& grid, const Face& face, const ParameterField& parame
         });
         if (grid.solve.untangling) grid.solve.folded_after = count_folded(grid.points);
         make_orthogonal_where_asked(grid, face, parameters, solve_elliptic);
+    } else {
+        grid.solve.folded_before = count_folded(grid.points);
     }
     grid.heights = hold_heights(grid.points, face.solve.heights);
 }
@@ -63,6 +65,8 @@ void fill_on_surface(FaceGrid& grid, const Face& face, const ParameterField& par
         };
         grid.solve = solve(grid.points, parameters, options_of(face));
         make_orthogonal_where_asked(grid, face, parameters, solve);
+    } else {
+        grid.solve.folded_before = count_folded(grid.points);
     }
     grid.heights = hold_heights(grid.points, face.solve.heights);
     if (!grid.heights.empty()) on_surface.project_interior(grid.points);
@@ -81,6 +85,7 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
     } else {
         fill_minimal(grid, face, parameters);
     }
+    if (algebraic || !grid.heights.empty()) grid.solve.folded_after = count_folded(grid.points);
     if (planar) set_plane(grid.points, {2, 0.0});
     if (face.plane) set_plane(grid.points, *face.plane);
     return grid;

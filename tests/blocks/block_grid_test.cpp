@@ -4,8 +4,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/largest_first.h"
 #include "core/orientation.h"
 #include "core/parallel.h"
+#include "elliptic/fold_count.h"
 #include "faces/hand_built.h"
 
 using namespace hexweave;
@@ -160,6 +162,63 @@ TEST_CASE("an affine image of a product grid is a fixed point of the elliptic sy
             }
         }
     }
+}
+
+TEST_CASE("a large block among small ones has the same bits on any number of threads") {
+    // Large enough to be made alone, with all threads inside, and the rest at once.
+    HandBuilt built;
+    built.shape = bent;
+    built.method = Method::elliptic;
+    std::vector<std::array<int, 4>> planes;
+    for (const double x : {0.0, 1.0, 1.2, 1.5, 1.7}) {
+        planes.push_back({built.vertex({x, 0, 0}), built.vertex({x, 1, 0}), built.vertex({x, 1, 1}),
+                          built.vertex({x, 0, 1})});
+    }
+    built.law = clustered(0.1);
+    const std::array<int, 4> cells_i{40, 5, 6, 5};
+    for (std::size_t n = 0; n < 4; ++n) {
+        const auto& [a, b, c, d] = planes[n];
+        const auto& [e, f, g, h] = planes[n + 1];
+        built.hexahedron({a, e, f, b, d, h, g, c}, {cells_i[n], 22, 22});
+    }
+    REQUIRE(built.topology.blocks[0].extent.nodes() > worth_all_threads);
+    const int before = threads();
+    std::vector<FaceGrid> faces_of_one;
+    std::vector<BlockGrid> of_one;
+    for (const int count : {1, 2, 4, 7}) {
+        set_threads(count);
+        auto faces = make_faces(built.topology, built.edges);
+        auto blocks = make_blocks(built.topology, faces);
+        if (count == 1) {
+            faces_of_one = faces;
+            of_one = blocks;
+        }
+        for (std::size_t n = 0; n < faces.size(); ++n) {
+            CHECK(greatest_distance(faces[n].points, faces_of_one[n].points) == 0);
+        }
+        for (std::size_t n = 0; n < blocks.size(); ++n) {
+            CHECK(blocks[n].solve.status == SolveStatus::converged);
+            CHECK(blocks[n].solve.folded_after == 0);
+            CHECK(blocks[n].solve.history == of_one[n].solve.history);
+            CHECK(greatest_distance(blocks[n].points, of_one[n].points) == 0);
+        }
+    }
+    set_threads(before);
+}
+
+TEST_CASE("folded cells of an algebraic block are counted") {
+    HandBuilt built = curved_block(Method::algebraic);
+    auto faces = make_faces(built.topology, built.edges);
+    CHECK(make_blocks(built.topology, faces)[0].solve.folded_after == 0);
+    // A side drawn deep into the block.
+    PointField& side =
+        faces[static_cast<std::size_t>(built.topology.blocks[0].sides[4].face)].points;
+    side.set(5, 5, 0, side(5, 5) + Vec3{0, 0, 3});
+    const BlockGrid folded = make_blocks(built.topology, faces)[0];
+    CHECK(folded.solve.status == SolveStatus::algebraic);
+    CHECK(folded.solve.folded_after > 0);
+    CHECK(folded.solve.folded_after == count_folded(folded.points));
+    CHECK(folded.solve.folded_before == folded.solve.folded_after);
 }
 
 TEST_CASE("grids are the same to the bit with one thread and with three") {

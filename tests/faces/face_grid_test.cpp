@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/largest_first.h"
+#include "core/parallel.h"
+#include "elliptic/fold_count.h"
 #include "faces/face_boundary.h"
 #include "faces/hand_built.h"
 
@@ -175,4 +178,64 @@ TEST_CASE("turning a face by a right angle turns its elliptic grid") {
             CHECK(distance(one[0].points(i, j), two[0].points(j, 48 - i)) < 1e-10);
         }
     }
+}
+
+TEST_CASE("counts of folded cells are those of the finished points") {
+    HandBuilt built = wavy_square();
+    built.topology.faces[0].solve.method = Method::algebraic;
+    const FaceGrid algebraic = make_faces(built.topology, built.edges)[0];
+    CHECK(algebraic.solve.status == SolveStatus::algebraic);
+    CHECK(algebraic.solve.folded_after > 50);
+    CHECK(algebraic.solve.folded_before == algebraic.solve.folded_after);
+    CHECK(algebraic.solve.folded_after == count_folded(algebraic.points));
+
+    built.topology.faces[0].solve.heights[static_cast<std::size_t>(Side::jmin)] =
+        HeldHeights{0.0005, 0.3, 1.5};
+    const FaceGrid held = make_faces(built.topology, built.edges)[0];
+    CHECK(held.solve.folded_before == algebraic.solve.folded_after);
+    CHECK(held.solve.folded_after == count_folded(held.points));
+    CHECK(greatest_distance(held.points, algebraic.points) > 0);
+}
+
+TEST_CASE("several faces have the same bits on any number of threads") {
+    HandBuilt built;
+    built.method = Method::elliptic;
+    built.shape = [](const Vec3& p) {
+        return Vec3{p.x + 0.05 * std::sin(7 * p.y), p.y + 0.05 * std::sin(5 * p.x), 0};
+    };
+    std::vector<std::array<int, 2>> columns;
+    for (const double x : {0.0, 2.0, 2.3, 2.6, 3.0}) {
+        columns.push_back({built.vertex({x, 0, 0}), built.vertex({x, 1, 0})});
+    }
+    built.law = clustered(0.01);
+    const std::array<int, 4> cells{220, 20, 30, 10};
+    for (std::size_t n = 0; n < 4; ++n) {
+        built.quadrilateral({columns[n][0], columns[n + 1][0], columns[n + 1][1], columns[n][1]},
+                            cells[n], 100);
+    }
+    REQUIRE(built.topology.faces[0].extent().nodes() > worth_all_threads);
+    const int before = threads();
+    std::vector<FaceGrid> of_one;
+    for (const int count : {1, 2, 4, 7}) {
+        set_threads(count);
+        auto faces = make_faces(built.topology, built.edges);
+        if (count == 1) of_one = faces;
+        for (std::size_t n = 0; n < faces.size(); ++n) {
+            CHECK(faces[n].solve.status == SolveStatus::converged);
+            CHECK(faces[n].solve.history == of_one[n].solve.history);
+            CHECK(greatest_distance(faces[n].points, of_one[n].points) == 0);
+        }
+    }
+    set_threads(before);
+}
+
+TEST_CASE("a face of nine nodes whose start is exact is converged") {
+    HandBuilt built;
+    built.method = Method::elliptic;
+    const int a = built.vertex({0.1, 0.2, 0}), b = built.vertex({1.3, 0.2, 0});
+    const int c = built.vertex({1.3, 0.9, 0}), d = built.vertex({0.1, 0.9, 0});
+    built.quadrilateral({a, b, c, d}, 2, 2);
+    const FaceGrid face = make_faces(built.topology, built.edges)[0];
+    CHECK(face.solve.status == SolveStatus::converged);
+    CHECK(distance(face.points(1, 1), {0.7, 0.55, 0}) < 1e-15);
 }
