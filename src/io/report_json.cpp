@@ -64,9 +64,24 @@ Json held_heights(const HeightMeasure& h) {
             {"greatest", number(h.greatest)}};
 }
 
+Json untangling(const Untangling& u) {
+    return {{"folded_before", u.folded_before},
+            {"points_moved", u.points_moved},
+            {"largest_move", number(u.largest_move)},
+            {"place", point(u.place)},
+            {"patches", u.patches},
+            {"rounds", u.rounds},
+            {"whole_grid", u.whole_grid},
+            {"left_at", u.left_at ? point(*u.left_at) : Json(nullptr)}};
+}
+
 Json solve(const SolveMeasure& s) {
     Json history = Json::array();
     for (const double step : s.result.history) history.push_back(number(step));
+    Json safeguards = Json::array();
+    for (const Safeguard safeguard : s.result.safeguards) {
+        safeguards.push_back(safeguard_name(safeguard));
+    }
     return {{"name", s.name},
             {"kind", s.is_block ? "block" : "face"},
             {"nodes", extent(s.extent)},
@@ -74,9 +89,12 @@ Json solve(const SolveMeasure& s) {
             {"cycles", s.result.cycles},
             {"tolerance", number(s.result.tolerance)},
             {"displacement", number(s.result.displacement)},
+            {"rate", number(s.result.rate)},
             {"history", history},
+            {"safeguards", safeguards},
             {"folded_before", s.result.folded_before},
             {"folded_after", s.result.folded_after},
+            {"untangling", s.result.untangling ? untangling(*s.result.untangling) : Json(nullptr)},
             {"flat_at", s.flat_at},
             {"orthogonality",
              s.result.orthogonality ? orthogonality(*s.result.orthogonality) : Json(nullptr)},

@@ -77,32 +77,75 @@ std::string orthogonality_line(const SolveResult& result, bool verbose) {
     return text + "\n";
 }
 
+std::string place_text(const Vec3& p) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+}
+
+/// What the solver fell back on; empty where the usual cycles were enough.
+std::string safeguard_line(const SolveResult& result) {
+    if (result.safeguards.empty()) return {};
+    std::string text = "  safeguards entered:";
+    for (const Safeguard& s : result.safeguards) {
+        text +=
+            fmt::format("{} {}", &s == &result.safeguards.front() ? "" : ",", safeguard_name(s));
+    }
+    return text + "\n";
+}
+
+/// Where untangling acted, how far points moved, and where it failed.
+std::string untangling_line(const SolveResult& result) {
+    if (!result.untangling) return {};
+    const Untangling& u = *result.untangling;
+    const auto unsigned_of = [](long n) { return static_cast<std::size_t>(n); };
+    std::string text =
+        fmt::format("  untangled: {}", counted(unsigned_of(u.folded_before), "folded cell"));
+    if (u.points_moved > 0) {
+        if (u.patches > 0) {
+            text += " in " + counted(static_cast<std::size_t>(u.patches), "patch", "patches");
+        }
+        if (u.whole_grid) {
+            text += u.patches > 0 ? ", then with all points free" : " with all points free";
+        }
+        text += fmt::format(", {} moved, at most {:.3g} at {}",
+                            counted(unsigned_of(u.points_moved), "point"), u.largest_move,
+                            place_text(u.place));
+    }
+    if (u.left_at) text += fmt::format("; STILL FOLDED at {}", place_text(*u.left_at));
+    return text + "\n";
+}
+
+std::string solve_row(const SolveMeasure& s, std::size_t width) {
+    const SolveResult& r = s.result;
+    const std::string name = (s.is_block ? "block " : "face ") + s.name;
+    const std::string nodes =
+        s.is_block ? fmt::format("{} x {} x {}", s.extent.ni, s.extent.nj, s.extent.nk)
+                   : fmt::format("{} x {}", s.extent.ni, s.extent.nj);
+    std::string text =
+        fmt::format("{:<{}}  {:>15} {:<14} ", name, width, nodes, status_name(r.status));
+    if (r.status == SolveStatus::algebraic) {
+        text += fmt::format("{:>6} {:>5} {:>14} ", "-", "-", "-");
+    } else {
+        text += fmt::format("{:>6} {:>5.2f} {:>8.1e} cells ", r.cycles, r.rate, r.displacement);
+    }
+    return text + fmt::format("{:>13} {:>6}\n", r.folded_before, r.folded_after);
+}
+
 std::string solve_table(const Report& report, bool verbose) {
     std::size_t width = 6;
     for (const SolveMeasure& s : report.solves) width = std::max(width, s.name.size() + 6);
-    std::string text = fmt::format("{:<{}}  {:>15} {:<14} {:>10} {:>14} {:>13}\n", "solve", width,
-                                   "nodes", "status", "cycles", "displacement", "folded before");
+    std::string text =
+        fmt::format("{:<{}}  {:>15} {:<14} {:>6} {:>5} {:>14} {:>13} {:>6}\n", "solve", width,
+                    "nodes", "status", "cycles", "rate", "displacement", "folded before", "after");
     for (const SolveMeasure& s : report.solves) {
         const SolveResult& r = s.result;
-        const std::string name = (s.is_block ? "block " : "face ") + s.name;
-        const std::string nodes =
-            s.is_block ? fmt::format("{} x {} x {}", s.extent.ni, s.extent.nj, s.extent.nk)
-                       : fmt::format("{} x {}", s.extent.ni, s.extent.nj);
-        text += fmt::format("{:<{}}  {:>15} {:<14} ", name, width, nodes, status_name(r.status));
-        if (r.status == SolveStatus::algebraic) {
-            text += fmt::format("{:>10} {:>14} {:>13}\n", "-", "-", "-");
-        } else {
-            text += fmt::format("{:>10} {:>8.1e} cells {:>13}\n", r.cycles, r.displacement,
-                                r.folded_before);
-        }
-        text += orthogonality_line(r, verbose);
+        text += solve_row(s, width) + safeguard_line(r) + untangling_line(r) +
+                orthogonality_line(r, verbose);
         if (!verbose) continue;
         if (!s.flat_at.empty()) {
             text += fmt::format("  sides meet flat at {}\n", fmt::join(s.flat_at, ", "));
         }
-        for (std::size_t step = 0; step < r.history.size(); ++step) {
-            text +=
-                fmt::format("  step {:>4}  displacement {:.3e} cells\n", step + 1, r.history[step]);
+        for (std::size_t n = 0; n < r.history.size(); ++n) {
+            text += fmt::format("  cycle {:>3}  displacement {:.3e} cells\n", n + 1, r.history[n]);
         }
     }
     return text;
@@ -226,6 +269,11 @@ std::vector<std::string> faults(const Report& report) {
                                     z.worst_place.x, z.worst_place.y, z.worst_place.z));
     }
     for (const SolveMeasure& s : report.solves) {
+        if (s.result.untangling && s.result.untangling->left_at && s.result.folded_after > 0) {
+            found.push_back(fmt::format("{} '{}' could not be untangled at {}",
+                                        s.is_block ? "block" : "face", s.name,
+                                        place_text(*s.result.untangling->left_at)));
+        }
         if (s.result.status == SolveStatus::converged ||
             s.result.status == SolveStatus::algebraic) {
             continue;

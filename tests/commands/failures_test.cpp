@@ -203,6 +203,61 @@ TEST_CASE("a folded result is written, named and gives exit code 1") {
     CHECK(contains(run.out, "folded cells in zone 'ring'"));
 }
 
+namespace {
+
+/// A square whose south side is drawn into it, up to a tip.
+std::string with_tip(const std::string& tip) {
+    return "hexweave: 1\ncurves:\n  tip: {polyline: [[0, 0], " + tip + R"(, [1, 0.3]]}
+vertices: {a: [0, 0], b: [1, 0.3], c: [1, 1], d: [0, 1]}
+edges:
+  south: {from: a, to: b, along: tip, cells: 9}
+  west: {from: a, to: d, cells: 4}
+faces:
+  square: {corners: [a, b, c, d]}
+boundaries:
+  rim: {type: BCWall, sides: [south, west, b-c, c-d]}
+)";
+}
+
+}  // namespace
+
+TEST_CASE("where untangling acted, and where it failed, is told") {
+    const Scratch scratch;
+    scratch.write("hidden.yaml", with_tip("[0.8, 0.1], [0.2, 0.2]"));
+    const Finished cured = scratch.hexweave("run hidden.yaml --verbose --json hidden.json");
+    INFO(cured.out << cured.err);
+    CHECK(cured.exit_code == 0);
+    CHECK(contains(cured.out, "untangled: "));
+    CHECK(contains(cured.out, "cycle   1  displacement "));
+    CHECK_FALSE(contains(cured.out, "STILL FOLDED"));
+    const auto solve_of = [&](const char* file) {
+        return nlohmann::json::parse(scratch.read(file))["report"]["solves"][0];
+    };
+    const auto solve = solve_of("hidden.json");
+    CHECK(solve["status"] == "converged");
+    CHECK(solve["cycles"] == solve["history"].size());
+    CHECK(solve["rate"].is_number());
+    CHECK(solve["safeguards"].empty());
+    CHECK(solve["folded_after"] == 0);
+    CHECK(solve["untangling"]["folded_before"] > 0);
+    CHECK(solve["untangling"]["points_moved"] > 0);
+    CHECK(solve["untangling"]["place"].size() == 3);
+    CHECK(solve["untangling"]["left_at"].is_null());
+
+    // No grid has cells the right way round between sides that cross.
+    scratch.write("crossed.yaml", with_tip("[0.5, 1.5]"));
+    const Finished failed = scratch.hexweave("run crossed.yaml --json crossed.json");
+    INFO(failed.out);
+    CHECK(failed.exit_code == 1);
+    CHECK(contains(failed.out, "STILL FOLDED at ("));
+    CHECK(contains(failed.out, "face 'square' could not be untangled at ("));
+    const auto left = solve_of("crossed.json");
+    CHECK(left["folded_after"] > 0);
+    CHECK(left["untangling"]["left_at"].size() == 3);
+    const auto report = nlohmann::json::parse(scratch.read("crossed.json"))["report"];
+    CHECK(left["folded_after"] == report["zones"][0]["folded"]);
+}
+
 TEST_CASE("an output that cannot be written is told before the work, and nothing is left") {
     const Scratch scratch;
     scratch.write("tiny.yaml", tiny);
