@@ -61,7 +61,8 @@ struct SolveResult {
     double tolerance = 0;         ///< asked, in cells
     double displacement = 0;      ///< of the last cycle, in cells
     double rate = 0;              ///< by which the displacement fell in each of the last cycles
-    std::vector<double> history;  ///< displacement of every cycle, in cells
+    /// Displacement of every cycle, in cells; on a surface, of every pass of several cycles.
+    std::vector<double> history;
     std::vector<Safeguard> safeguards;  ///< those entered, in order
     long folded_before = 0;             ///< folded cells of the start grid
     long folded_after = 0;              ///< of the finished one

@@ -178,6 +178,33 @@ TEST_CASE("the side planes of the swept wing are exact and its sections alike") 
     }
 }
 
+TEST_CASE("the rounded tip's wall is on the wing, its far field on the sphere, its planes exact") {
+    const Scratch scratch;
+    REQUIRE(scratch
+                .hexweave("run --quiet " + shipped("rounded_tip.yaml") +
+                          " --set chordwise=20 --set spanwise=16 --set normal=16 -o tip.cgns")
+                .exit_code == 0);
+    const MultiblockGrid grid = read_cgns(scratch.path() / "tip.cgns");
+    for_each_node(grid, "root", [](const Vec3& p) { CHECK(p.y == 0); });
+    for_each_node(grid, "middle", [](const Vec3& p) { CHECK(p.z == 0); });
+    for_each_node(grid, "farfield", [](const Vec3& p) {
+        CHECK(distance(p, {0.5, 0, 0}) == Approx(10).epsilon(1e-12));
+    });
+    double thickest_at_tip = 0;
+    for_each_node(grid, "wing", [&](const Vec3& p) {
+        const double chord = 1 + 0.44 * p.y / 1.5;
+        const double x = (p.x + p.y * std::tan(std::acos(-1.0) / 6)) / chord;
+        const double q = std::max(0.0, (-p.y - 1.35) / 0.15);
+        const double half = 0.6 * (0.2969 * std::sqrt(std::max(x, 0.0)) +
+                                   x * (-0.1260 + x * (-0.3516 + x * (0.2843 - x * 0.1036))));
+        // Squared, for the slope of the root is infinite at the tip.
+        CHECK(p.z * p.z / (chord * chord) ==
+              Approx(half * half * std::max(0.0, 1 - q * q)).margin(1e-14));
+        if (q > 0.5) thickest_at_tip = std::max(thickest_at_tip, p.z);
+    });
+    CHECK(thickest_at_tip > 0.02);
+}
+
 TEST_CASE("first cells off the swept wing are as high as asked, all over it") {
     const Scratch scratch;
     REQUIRE(scratch
