@@ -158,9 +158,7 @@ SurfacePoint SurfaceProjection::nearest(const Vec3& p) const {
     std::vector<double> distances;
     distances.reserve(samples_.size());
     for (const Vec3& sample : samples_) distances.push_back(distance(sample, p));
-    const auto at = [&](int i, int j) {
-        return distances[static_cast<std::size_t>(i + j * (intervals_ + 1))];
-    };
+    const auto at = [&](int i, int j) { return distances[net_node(i, j)]; };
     std::vector<std::pair<double, std::array<int, 2>>> starts;
     for (int j = 0; j <= intervals_; ++j) {
         for (int i = 0; i <= intervals_; ++i) {

@@ -3,6 +3,7 @@
 // parameters along a line of points.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/vec3.h"
@@ -43,8 +44,9 @@ public:
 private:
     static constexpr int intervals_ = 48;
 
-    const Vec3& sample(int i, int j) const {
-        return samples_[static_cast<std::size_t>(i + j * (intervals_ + 1))];
+    static std::size_t net_node(int i, int j) {
+        return static_cast<std::size_t>(i) +
+               static_cast<std::size_t>(j) * (static_cast<std::size_t>(intervals_) + 1);
     }
     SurfaceParameters net_parameters(int i, int j) const;
 

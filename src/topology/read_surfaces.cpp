@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -25,8 +26,12 @@ using MaybeSurface = std::optional<Surface>;
 struct Material {
     const YamlNode& section;
     std::vector<CurveEntry>& curves;
-    std::vector<SurfaceEntry> surfaces;  ///< so far
+    std::vector<SurfaceEntry> surfaces{};  ///< so far
+    std::map<std::string, int> descent{};  ///< how many surfaces each is made of, in a row
 };
+
+/// How many surfaces may be made of one another in a row.
+constexpr int longest_descent = 100;
 
 struct SurfaceFamily {
     std::string_view key;
@@ -242,6 +247,14 @@ MaybeSurface read_other_surface(Reading& reading, const YamlNode& entry, Materia
         return std::nullopt;
     }
     found->used_by_surface = true;
+    const int descent = material.descent[name.value] + 1;
+    material.descent[entry.key] = descent;
+    if (descent > longest_descent) {
+        reading.diagnostics.error(
+            node.place,
+            fmt::format("more than {} surfaces are made of one another", longest_descent));
+        return std::nullopt;
+    }
     if (!found->shape) return std::nullopt;
     return *found->shape;
 }
@@ -312,7 +325,7 @@ std::shared_ptr<const Surface> read_surface(Reading& reading, const YamlNode& en
 
 std::vector<SurfaceEntry> read_surfaces(Reading& reading, const YamlNode& section,
                                         std::vector<CurveEntry>& curves) {
-    Material material{section, curves, {}};
+    Material material{section, curves};
     for (const YamlNode& entry : section.children) {
         if (check_new_name(reading, entry, "surface") && entry.key == "minimal") {
             reading.diagnostics.error(entry.key_place, "no surface can be named 'minimal'",
