@@ -81,11 +81,11 @@ TEST_CASE("A zone of more nodes than 32-bit sizes count is refused, without over
 TEST_CASE("A grid larger than memory is refused with both figures") {
     const Topology t = block_of(601, 601, 601);
     Diagnostics diagnostics;
-    check_memory(t, 4, 162'400'000'000, diagnostics);
+    check_memory(t, 4, 56'100'000'000, diagnostics);
     CHECK(all_of(diagnostics) == "");
     check_memory(t, 4, 23'000'000'000, diagnostics);
     CHECK(all_of(diagnostics) ==
-          R"(file: error: this grid needs about 162 GB; this machine has 23 GB
+          R"(file: error: this grid needs about 56 GB; this machine has 23 GB
   hint: block 'big' is the largest, with 601 x 601 x 601 nodes: give its edges fewer cells
 )");
 }
