@@ -104,6 +104,32 @@ TEST_CASE("an elliptic face depends on the shape of its surface, not on the para
     }
 }
 
+TEST_CASE(
+    "a face on a sphere is the same across the seam, beside a pole and with a pole as corner") {
+    const auto on_ball = [](const Vec3& p) {
+        const Vec3 from_centre{p.x - 0.3, p.y - 0.4, 0.7};
+        return from_centre / norm(from_centre);
+    };
+    const Vec3 corner = on_ball({1, 1, 0});
+    const auto face_of = [&](const Surface& ball) {
+        const FaceGrid grid = made(square_on(ball, on_ball, 16, clustered(0.4)));
+        CHECK(grid.solve.status == SolveStatus::converged);
+        return grid.points;
+    };
+    const PointField known = face_of(sphere({0, 0, 0}, 1, {1, -1, 0}));
+    for (std::size_t n = 0; n < known.extent().nodes(); ++n) {
+        CHECK(norm(known[n]) == Approx(1).epsilon(1e-15));
+    }
+    for (const double turn : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
+        const Affine turned = rotation({1, -1, 0}, turn);
+        const Surface ball = transformed(sphere({0, 0, 0}, 1, {1, -1, 0}), turned);
+        CHECK(greatest_distance(face_of(ball), known) < 1e-6 * mean_cell(16));
+    }
+    for (const Vec3& axis : {corner, Vec3{0.8, 0.5, 0.3}}) {
+        CHECK(greatest_distance(face_of(sphere({0, 0, 0}, 1, axis)), known) < 1e-6 * mean_cell(16));
+    }
+}
+
 TEST_CASE("an elliptic face on a surface does not depend on where it begins") {
     HandBuilt built = square_on(crowded_hill(), on_hill, 16);
     const FaceGrid one = made(built);
