@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "core/vec3.h"
+#include "elliptic/lanes.h"
 
 namespace hexweave {
 
@@ -61,24 +62,33 @@ Largest largest_of_segment(const double* x, const float* moved, std::ptrdiff_t l
         }
         return v;
     };
-    double size = 0;
-    double check = 0;
-    const std::ptrdiff_t end = segment.first + segment.count;
-    for (std::ptrdiff_t p = segment.first; p < end; ++p) {
-        Vec3 d{static_cast<double>(moved[p]), static_cast<double>(moved[p + length]), 0};
-        if constexpr (components == 3) d.z = static_cast<double>(moved[p + 2 * length]);
-        const Vec3 a1 = half_difference(p, segment.next, segment.previous);
-        const Vec3 a2 = half_difference(p, stride_j, -stride_j);
-        double cells = 0;
-        if constexpr (axes == 2) {
-            cells = cells_on_face(a1, a2, d);
-        } else {
-            cells = cells_in_block(a1, a2, half_difference(p, stride_k, -stride_k), d);
+    // A maximum for each lane: one for all would keep the loop from being vectorized.
+    std::array<double, lane_count> size{};
+    std::array<double, lane_count> check{};
+    for (int group = 0; group < segment.count; group += lane_count) {
+        for (std::ptrdiff_t lane = 0; lane < lane_count; ++lane) {
+            const std::ptrdiff_t p = segment.first + group + lane;
+            Vec3 d{static_cast<double>(moved[p]), static_cast<double>(moved[p + length]), 0};
+            if constexpr (components == 3) d.z = static_cast<double>(moved[p + 2 * length]);
+            const Vec3 a1 = half_difference(p, segment.next, segment.previous);
+            const Vec3 a2 = half_difference(p, stride_j, -stride_j);
+            double cells = 0;
+            if constexpr (axes == 2) {
+                cells = cells_on_face(a1, a2, d);
+            } else {
+                cells = cells_in_block(a1, a2, half_difference(p, stride_k, -stride_k), d);
+            }
+            const auto at = static_cast<std::size_t>(lane);
+            size[at] = cells > size[at] ? cells : size[at];
+            check[at] += 0 * (cells + d.x + d.y + d.z);
         }
-        size = std::max(size, cells);
-        check += 0 * (cells + d.x + d.y + d.z);
     }
-    return {size, check};
+    Largest whole;
+    for (std::size_t lane = 0; lane < size.size(); ++lane) {
+        whole.size = std::max(whole.size, size[lane]);
+        whole.check += check[lane];
+    }
+    return whole;
 }
 
 template <int axes, int components>

@@ -19,10 +19,9 @@ void inject(const Level& finer, const RowArray<double>& from, const Level& coars
                                           finer_index(k, f.nk, coarse.halved[2]));
             double* write = to.row(j, k);
             for (int component = 0; component < components; ++component) {
-                for (int i = 0; i < c.ni; ++i) {
-                    write[coarse.shape.at(i)] =
-                        read[finer.shape.at(finer_index(i, f.ni, coarse.halved[0]))];
-                }
+                for_coarse_nodes(
+                    finer.shape, coarse.shape, coarse.halved[0],
+                    [=](std::ptrdiff_t fine, std::ptrdiff_t here) { write[here] = read[fine]; });
                 read += finer.shape.length();
                 write += coarse.shape.length();
             }

@@ -87,6 +87,21 @@ private:
     std::vector<T, LargePages<T>> values_;
 };
 
+/// Calls visit(place in the finer row, place in the coarse row) for every node of a coarse row.
+template <class Visit>
+void for_coarse_nodes(const RowShape& finer, const RowShape& coarse, bool halved, Visit&& visit) {
+    if (!halved) {
+        for (std::ptrdiff_t p = 0; p < coarse.length(); ++p) visit(p, p);
+        return;
+    }
+    // Coarse node i is the finer row's even node 2 i, which is stored at i; but for the last.
+    const int last = coarse.nodes() - 1;
+    const std::ptrdiff_t odd = coarse.segments()[1].first;
+    for (std::ptrdiff_t m = 0; m < (last + 1) / 2; ++m) visit(2 * m, m);
+    for (std::ptrdiff_t m = 0; m < last / 2; ++m) visit(2 * m + 1, odd + m);
+    visit(finer.at(finer.nodes() - 1), coarse.at(last));
+}
+
 struct Level {
     Extent extent;
     int axes = 3;        ///< 2 for a face

@@ -254,25 +254,23 @@ void relax_layer_along(Level& level, int k) {
     }
 }
 
-/// Calls task(k) for the interior layers of one parity; of a face for its only one, at parity 0.
+/// Calls task(k) for the interior layers of one parity.
 template <class Task>
 void for_layers(const Level& level, int parity, Task&& task) {
-    const int first = level.axes == 3 ? 2 - parity : 0;
-    const int count = level.axes == 3 ? (level.last_k() - first) / 2 + 1 : 1 - parity;
+    const int first = 2 - parity;
+    const int count = (level.last_k() - first) / 2 + 1;
     const int cost = level.extent.ni * level.extent.nj * cost_of_node;
     parallel_blocks(count, cost, [&](int begin, int end) {
         for (int n = begin; n < end; ++n) task(first + 2 * n);
     });
 }
 
-/// Lines along i, then lines along j (backward: j, then i), layer by layer while they are in cache.
-template <int axes, int components>
-void relax_layers(Level& level, SweepOrder order) {
+/// Lines along i, then lines along j, layer by layer while they are in cache.
+void relax_layers(Level& level) {
     for (int parity = 1; parity >= 0; --parity) {
         for_layers(level, parity, [&](int k) {
-            if (order == SweepOrder::backward) relax_layer_across<axes, components>(level, k);
-            relax_layer_along<axes, components>(level, k);
-            if (order == SweepOrder::forward) relax_layer_across<axes, components>(level, k);
+            relax_layer_along<3, 3>(level, k);
+            relax_layer_across<3, 3>(level, k);
         });
     }
 }
@@ -321,26 +319,32 @@ void relax_columns(Level& level) {
     }
 }
 
-template <int axes, int components>
-void relax(Level& level, SweepOrder order) {
-    if constexpr (axes == 3) {
-        if (order == SweepOrder::backward) relax_columns<components>(level);
+template <int components>
+void relax_face(Level& level, int sweeps) {
+    relax_layer_across<2, components>(level, 0);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        relax_layer_along<2, components>(level, 0);
+        relax_layer_across<2, components>(level, 0);
     }
-    relax_layers<axes, components>(level, order);
-    if constexpr (axes == 3) {
-        if (order == SweepOrder::forward) relax_columns<components>(level);
+}
+
+void relax_block(Level& level, int sweeps) {
+    relax_columns<3>(level);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        relax_layers(level);
+        relax_columns<3>(level);
     }
 }
 
 }  // namespace
 
-void relax_lines(Level& level, SweepOrder order) {
+void relax_lines(Level& level, int sweeps) {
     if (level.axes == 3) {
-        relax<3, 3>(level, order);
+        relax_block(level, sweeps);
     } else if (level.components == 3) {
-        relax<2, 3>(level, order);
+        relax_face<3>(level, sweeps);
     } else {
-        relax<2, 2>(level, order);
+        relax_face<2>(level, sweeps);
     }
 }
 

@@ -13,7 +13,7 @@ namespace hexweave {
 
 namespace {
 
-/// Relaxations of the coarsest grid within a cycle, of two sweeps each: when it is one of several,
+/// Relaxations of the coarsest grid within a cycle, of a sweep each: when it is one of several,
 /// and when it is the only one.
 constexpr int coarsest_steps = 4;
 constexpr int lone_steps = 12;
@@ -24,10 +24,10 @@ constexpr double coarsest_displacement = 1e-3;
 constexpr int coarsest_trials = 100;
 
 /// Sweeps over a level that has just been given the changes of the one below.
-constexpr int first_sweeps = 2;
+constexpr int first_sweeps = 1;
 
 /// Where displacements are larger than this, residuals in single precision do.
-constexpr double least_imprecise = 3e-3;
+constexpr double least_imprecise = 3e-4;
 
 bool is_planar(const PointField& points) {
     if (points.extent().nk > 1) return false;
@@ -81,7 +81,7 @@ void allocate_work(Level& level, bool is_finest) {
 }  // namespace
 
 CycleOptions CycleOptions::of(int axes) {
-    return axes == 3 ? CycleOptions{0, 4, 1, 9} : CycleOptions{2, 2, 1, 33};
+    return axes == 3 ? CycleOptions{0, 3, 1, 9} : CycleOptions{2, 2, 1, 33};
 }
 
 Multigrid::Multigrid(const PointField& points, ParameterField&& parameters,
@@ -118,15 +118,13 @@ void Multigrid::smooth(std::size_t index, RightHandSide side, int sweeps) {
     Level& level = levels_[index];
     assemble(level, {Assembly::residuals_and_stencils, side, precise_}, weight_scale_);
     level.corrections.clear();
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        relax_lines(level, sweep % 2 == 0 ? SweepOrder::backward : SweepOrder::forward);
-    }
+    relax_lines(level, sweeps);
     add_corrections(level, options_.relaxation);
 }
 
 void Multigrid::solve_coarsest(RightHandSide side, int steps) {
     for (int step = 0; step < steps; ++step) {
-        smooth(levels_.size() - 1, side, 2);
+        smooth(levels_.size() - 1, side, 1);
         if (side == RightHandSide::from_residual) side = RightHandSide::given;
     }
 }

@@ -15,7 +15,7 @@ namespace hexweave {
 /// How a cycle is made.
 struct CycleOptions {
     int sweeps_before = 0;  ///< of relaxation, before a level turns to the coarser one
-    int sweeps_after = 4;
+    int sweeps_after = 3;
     double relaxation = 1;  ///< factor of every correction
     int least_nodes = 9;    ///< along a coarsened axis of the coarsest grid
 

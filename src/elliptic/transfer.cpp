@@ -95,9 +95,8 @@ void gather_along(Level& finer, Level& coarse, int j, int k) {
         gather_between(finer.shape, finer.parameters.row(fine_j, fine_k), finer.components, from);
     }
     for (int c = 0; c < finer.components; ++c) {
-        for (int i = 1; i < coarse.extent.ni - 1; ++i) {
-            to[coarse.shape.at(i)] = from[finer.shape.at(finer_index(i, finer.extent.ni, halved))];
-        }
+        for_coarse_nodes(finer.shape, coarse.shape, halved,
+                         [=](std::ptrdiff_t fine, std::ptrdiff_t here) { to[here] = from[fine]; });
         from += finer.shape.length();
         to += coarse.shape.length();
     }
@@ -121,7 +120,6 @@ void interpolate_between(const RowShape& shape, const double* s, int components,
 /// The changes at the coarse nodes of the row of `finer` that is coarse row (j, k), and between
 /// them.
 void interpolate_along(Level& finer, const Level& coarse, int j, int k) {
-    const int ni = finer.extent.ni;
     const bool halved = coarse.halved[0];
     const int fine_j = finer_index(j, finer.extent.nj, coarse.halved[1]);
     const int fine_k = finer_index(k, finer.extent.nk, coarse.halved[2]);
@@ -130,10 +128,10 @@ void interpolate_along(Level& finer, const Level& coarse, int j, int k) {
         const double* const old = finer.points.row(fine_j, fine_k) + c * finer.shape.length();
         const double* const now = coarse.points.row(j, k) + c * coarse.shape.length();
         float* const to = row + static_cast<std::ptrdiff_t>(c) * finer.shape.length();
-        for (int i = 0; i < coarse.extent.ni; ++i) {
-            const std::ptrdiff_t at = finer.shape.at(finer_index(i, ni, halved));
-            to[at] = static_cast<float>(now[coarse.shape.at(i)] - old[at]);
-        }
+        for_coarse_nodes(finer.shape, coarse.shape, halved,
+                         [=](std::ptrdiff_t fine, std::ptrdiff_t here) {
+                             to[fine] = static_cast<float>(now[here] - old[fine]);
+                         });
     }
     if (halved) {
         interpolate_between(finer.shape, finer.parameters.row(fine_j, fine_k), finer.components,
