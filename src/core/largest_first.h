@@ -42,6 +42,7 @@ void largest_first(const std::vector<std::size_t>& sizes, const std::function<vo
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
     std::vector<std::size_t> descending;
+    descending.reserve(order.size());
     for (const std::size_t index : order) descending.push_back(sizes[index]);
 
     std::mutex one_at_a_time;
