@@ -11,6 +11,10 @@ namespace {
 /// An axis whose parameter's steps vary more than this is stretched; below it, all are coarsened.
 constexpr double stretched = 100;
 
+/// Without boundary layers the equations of a face are well-behaved on very coarse grids too, and
+/// what is left to the coarsest takes long there if it has many nodes.
+constexpr int least_nodes_of_even_faces = 5;
+
 /// Cells so much longer than the shortest are not yet to be made longer still.
 constexpr double alike = 1.1;
 
@@ -97,6 +101,11 @@ std::array<bool, 3> coarsened_axes(const Level& finest) {
 }  // namespace
 
 std::vector<std::array<bool, 3>> plan_coarsening(const Level& finest, int least_nodes) {
+    const std::array<double, 3> spread = spreads(finest);
+    const bool is_stretched = *std::max_element(spread.begin(), spread.end()) > stretched;
+    if (finest.axes == 2 && !is_stretched) {
+        least_nodes = std::min(least_nodes, least_nodes_of_even_faces);
+    }
     const std::array<bool, 3> allowed = coarsened_axes(finest);
     std::array<double, 3> steps = mean_steps(finest);
     std::array<int, 3> nodes{finest.extent.ni, finest.extent.nj, finest.extent.nk};

@@ -15,7 +15,8 @@ namespace hexweave {
 /// the spacing varies most (in the far field it has the weakest coupling of all, and what is rough
 /// along it alone could be seen by no coarse grid), and of the others the one with the shorter
 /// cells first, so that the levels below couple alike along both.
-/// `least_nodes`: no axis is left with fewer.
+/// `least_nodes`: no axis is left with fewer; on a face that is nowhere stretched, with fewer
+/// than 5.
 std::vector<std::array<bool, 3>> plan_coarsening(const Level& finest, int least_nodes);
 
 }  // namespace hexweave

@@ -258,7 +258,7 @@ void relax_layer_along(Level& level, int k) {
 template <class Task>
 void for_layers(const Level& level, int parity, Task&& task) {
     const int first = 2 - parity;
-    const int count = (level.last_k() - first) / 2 + 1;
+    const int count = (level.last_k() - first + 2) / 2;
     const int cost = level.extent.ni * level.extent.nj * cost_of_node;
     parallel_blocks(count, cost, [&](int begin, int end) {
         for (int n = begin; n < end; ++n) task(first + 2 * n);
@@ -305,7 +305,7 @@ void relax_columns(Level& level) {
     const int cost = level.extent.ni * level.extent.nk * cost_of_node * strip_rows;
     for (int parity = 1; parity >= 0; --parity) {
         const int first = 2 - parity;
-        const int rows = (level.extent.nj - 2 - first) / 2 + 1;
+        const int rows = (level.extent.nj - first) / 2;
         const int strips = (rows + strip_rows - 1) / strip_rows;
         parallel_blocks(strips, cost, [&](int begin, int end) {
             for (int strip = begin; strip < end; ++strip) {

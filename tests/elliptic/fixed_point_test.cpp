@@ -31,6 +31,24 @@ void check_solution(Problem problem) {
     }
 }
 
+void check_counts(const Extent& e) {
+    Problem problem = e.nk == 1 ? shapes::clustered_saddle(e.ni, e.nj, 0.5 / e.nj)
+                                : shapes::clustered_block(e, 0.5 / e.nk);
+    const PointField start = problem.points;
+    INFO(e.ni << " x " << e.nj << " x " << e.nk);
+    const SolveResult result = solve_elliptic(problem.points, problem.parameters, {1e-6, 100});
+    CHECK(result.status == SolveStatus::converged);
+    CHECK(result.safeguards.empty());
+    CHECK(result.folded_after == 0);
+    CHECK(largest_unfulfilled(problem.points, problem.parameters) < 1e-6);
+    for (int k = 0; k < e.nk; ++k) {
+        CHECK(problem.points(0, 1, k) == start(0, 1, k));
+        CHECK(problem.points(e.ni - 1, 1, k) == start(e.ni - 1, 1, k));
+        CHECK(problem.points(1, 0, k) == start(1, 0, k));
+        CHECK(problem.points(1, e.nj - 1, k) == start(1, e.nj - 1, k));
+    }
+}
+
 }  // namespace
 
 TEST_CASE("the equations written out have the solutions that they must have") {
@@ -72,31 +90,14 @@ TEST_CASE("the grid of a block with thin cells is a fixed point of the equations
 }
 
 TEST_CASE("grids of any counts are fixed points of the equations") {
-    const auto check = [](const Extent& e) {
-        Problem problem = e.nk == 1 ? shapes::clustered_saddle(e.ni, e.nj, 0.5 / e.nj)
-                                    : shapes::clustered_block(e, 0.5 / e.nk);
-        const PointField start = problem.points;
-        INFO(e.ni << " x " << e.nj << " x " << e.nk);
-        const SolveResult result = solve_elliptic(problem.points, problem.parameters, {1e-6, 100});
-        CHECK(result.status == SolveStatus::converged);
-        CHECK(result.safeguards.empty());
-        CHECK(result.folded_after == 0);
-        CHECK(largest_unfulfilled(problem.points, problem.parameters) < 1e-6);
-        for (int k = 0; k < e.nk; ++k) {
-            CHECK(problem.points(0, 1, k) == start(0, 1, k));
-            CHECK(problem.points(e.ni - 1, 1, k) == start(e.ni - 1, 1, k));
-            CHECK(problem.points(1, 0, k) == start(1, 0, k));
-            CHECK(problem.points(1, e.nj - 1, k) == start(1, e.nj - 1, k));
-        }
-    };
     const std::vector<int> counts{2, 3, 4, 5, 6, 7, 18, 47};
     for (const int ni : counts) {
-        for (const int nj : counts) check({ni, nj, 1});
+        for (const int nj : counts) check_counts({ni, nj, 1});
     }
     const std::vector<int> few{2, 4, 5, 6, 7, 12};
     for (const int ni : few) {
         for (const int nj : few) {
-            for (const int nk : few) check({ni, nj, nk});
+            for (const int nk : few) check_counts({ni, nj, nk});
         }
     }
     for (const Extent& e : {Extent{47, 4, 4},
@@ -109,7 +110,16 @@ TEST_CASE("grids of any counts are fixed points of the equations") {
                             {5, 47, 4},
                             {4, 5, 47},
                             {18, 18, 18}}) {
-        check(e);
+        check_counts(e);
+    }
+}
+
+TEST_CASE("grids of blocks one interior node thick are fixed points of the equations") {
+    for (const Extent& e :
+         {Extent{3, 3, 3}, Extent{47, 3, 3}, Extent{3, 47, 3}, Extent{3, 3, 47}, Extent{47, 18, 3},
+          Extent{47, 17, 3}, Extent{33, 18, 3}, Extent{65, 33, 3}, Extent{129, 65, 3},
+          Extent{47, 3, 18}, Extent{65, 3, 33}, Extent{3, 47, 18}}) {
+        check_counts(e);
     }
 }
 
