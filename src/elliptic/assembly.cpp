@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/vectorized.h"
 
 namespace hexweave {
 
@@ -190,8 +191,8 @@ struct Row {
 };
 
 template <class Real, std::size_t axes, std::size_t components, Assembly wanted, RightHandSide side>
-void assemble_segment(const Row& row, const RowSegment& segment, Reach in_points,
-                      Reach in_parameters, double scale) {
+HEXWEAVE_VECTORIZED void assemble_segment(const Row& row, const RowSegment& segment,
+                                          Reach in_points, Reach in_parameters, double scale) {
     constexpr std::ptrdiff_t planes = axes == 3 ? 3 : 1;
     const double* const points = row.points;
     const double* const parameters = row.parameters;

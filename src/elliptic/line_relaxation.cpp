@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "core/vectorized.h"
 #include "elliptic/lanes.h"
 
 namespace hexweave {
@@ -79,8 +80,8 @@ template <int axes, int axis>
 /// One step of the elimination along a line that crosses rows: d <- (l d- - rhs) / (1 - l u-) in
 /// place of the corrections, and the upper factor u / (1 - l u-). `back` leads to the node before.
 template <int axes, int components, int axis>
-void eliminate_across(const Nodes& row, std::ptrdiff_t back, const float* upper_before,
-                      float* upper) {
+HEXWEAVE_VECTORIZED void eliminate_across(const Nodes& row, std::ptrdiff_t back,
+                                          const float* upper_before, float* upper) {
     constexpr int first = axes == 3 ? 6 : 3;
     const Nodes d = row;
     for (int m = 0; m < d.count; m += lane_count) {
@@ -100,7 +101,8 @@ void eliminate_across(const Nodes& row, std::ptrdiff_t back, const float* upper_
 }
 
 template <int components>
-void substitute_across(const Nodes& row, std::ptrdiff_t ahead, const float* upper) {
+HEXWEAVE_VECTORIZED void substitute_across(const Nodes& row, std::ptrdiff_t ahead,
+                                           const float* upper) {
     for (int m = 0; m < row.count; m += lane_count) {
         for (std::ptrdiff_t n = 0; n < components; ++n) {
             float* const v = row.corrections + n * row.length + m;
@@ -159,7 +161,7 @@ struct TransposedLines {
 };
 
 template <int axes, int components>
-void right_hand_side_along(const Nodes& nodes, float* scratch) {
+HEXWEAVE_VECTORIZED void right_hand_side_along(const Nodes& nodes, float* scratch) {
     constexpr int first = axes == 3 ? 6 : 3;
     const Nodes d = nodes;
     for (int m = 0; m < d.count; m += lane_count) {
@@ -177,7 +179,7 @@ void right_hand_side_along(const Nodes& nodes, float* scratch) {
 }
 
 template <int components>
-void solve_along(int ni, TransposedLines& t) {
+HEXWEAVE_VECTORIZED void solve_along(int ni, TransposedLines& t) {
     for (std::ptrdiff_t i = 1; i < ni - 1; ++i) {
         const std::ptrdiff_t here = i * lane_count;
         const std::ptrdiff_t before = here - lane_count;
