@@ -15,11 +15,13 @@ constexpr double stretched = 100;
 /// what is left to the coarsest takes long there if it has many nodes.
 constexpr int least_nodes_of_even_faces = 5;
 
-/// Cells so much longer than the shortest are not yet to be made longer still.
-constexpr double alike = 1.1;
+/// Cells so much longer than the shortest are not yet to be made longer still: where an axis is
+/// stretched the others' couplings are best kept in order, where none is they hardly matter.
+constexpr double alike_beside_stretched = 1.02;
+constexpr double alike = 1.4;
 
 /// How many lines across each axis are looked at.
-constexpr int samples = 5;
+constexpr int samples = 8;
 
 /// Calls visit(row, here, other row, there) for the pairs of neighbours on a sample of the lines
 /// along `axis`, boundary lines included.
@@ -32,8 +34,8 @@ void for_neighbours(const Level& level, const RowArray<double>& values, int axis
     for (int a = 0; a < samples; ++a) {
         for (int b = 0; b < samples; ++b) {
             std::array<int, 3> node{};
-            node[first] = (nodes[first] - 1) * a / (samples - 1);
-            node[second] = (nodes[second] - 1) * b / (samples - 1);
+            node[first] = (nodes[first] - 1) * (2 * a + 1) / (2 * samples);
+            node[second] = (nodes[second] - 1) * (2 * b + 1) / (2 * samples);
             for (int n = 0; n + 1 < nodes[along]; ++n) {
                 node[along] = n;
                 const double* const row = values.row(node[1], node[2]);
@@ -119,7 +121,9 @@ std::vector<std::array<bool, 3>> plan_coarsening(const Level& finest, int least_
         }
         if (halved == std::array<bool, 3>{}) return plan;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (finest.axes == 3 && steps[axis] > alike * shortest) halved[axis] = false;
+            if (finest.axes == 3 &&
+                steps[axis] > (is_stretched ? alike_beside_stretched : alike) * shortest)
+                halved[axis] = false;
             if (!halved[axis]) continue;
             steps[axis] *= 2;
             nodes[axis] = halved_count(nodes[axis]);
