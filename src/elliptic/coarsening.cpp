@@ -15,10 +15,10 @@ constexpr double stretched = 100;
 /// what is left to the coarsest takes long there if it has many nodes.
 constexpr int least_nodes_of_even_faces = 5;
 
-/// Cells so much longer than the shortest are not yet to be made longer still: where an axis is
-/// stretched the others' couplings are best kept in order, where none is they hardly matter.
-constexpr double alike_beside_stretched = 1.02;
-constexpr double alike = 1.4;
+/// Cells so much longer than the shortest are not yet to be made longer still. Beside a stretched
+/// axis the order counts, and most on the finest level; further down it would only cost memory.
+constexpr double alike_on_finest = 1.02;
+constexpr double alike = 1.7;
 
 /// How many lines across each axis are looked at.
 constexpr int samples = 8;
@@ -122,7 +122,7 @@ std::vector<std::array<bool, 3>> plan_coarsening(const Level& finest, int least_
         if (halved == std::array<bool, 3>{}) return plan;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (finest.axes == 3 &&
-                steps[axis] > (is_stretched ? alike_beside_stretched : alike) * shortest)
+                steps[axis] > (is_stretched && plan.empty() ? alike_on_finest : alike) * shortest)
                 halved[axis] = false;
             if (!halved[axis]) continue;
             steps[axis] *= 2;
