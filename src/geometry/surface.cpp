@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -32,9 +33,25 @@ double share(const std::array<double, 2>& range, int part, int parts) {
     return range[0] + (range[1] - range[0]) * part / parts;
 }
 
-/// Which of the two parameters the surface is closed along: its two ends are the same line, which
-/// is not the whole surface's.
-std::array<bool, 2> closed_along(const Surface& surface) {
+/// A curve over shares of its parameter, 0 to 1.
+Curve over_shares(const Curve& curve) {
+    Curve unit;
+    const double begin = curve.begin;
+    const double end = curve.end;
+    unit.position = [position = curve.position, begin, end](double f) {
+        return position(f == 1 ? end : begin + f * (end - begin));
+    };
+    unit.derivative = [derivative = curve.derivative, begin, end](double f) {
+        return (end - begin) * derivative(f == 1 ? end : begin + f * (end - begin));
+    };
+    unit.closed = curve.closed;
+    for (const double at : curve.breaks) unit.breaks.push_back((at - begin) / (end - begin));
+    return unit;
+}
+
+}  // namespace
+
+void find_closed(Surface& surface) {
     constexpr int samples = 16;
     const auto at = [&](int i, int j) {
         return surface.position(share(surface.range_u, i, samples),
@@ -50,25 +67,9 @@ std::array<bool, 2> closed_along(const Surface& surface) {
             reach[1] = std::max(reach[1], distance(at(n, 0), at(n, m)));
         }
     }
-    return {gap[0] <= 1e-12 * reach[0], gap[1] <= 1e-12 * reach[1]};
+    surface.closed_u = gap[0] <= 1e-12 * reach[0];
+    surface.closed_v = gap[1] <= 1e-12 * reach[1];
 }
-
-/// A curve over shares of its parameter, 0 to 1.
-Curve over_shares(const Curve& curve) {
-    Curve unit;
-    const double begin = curve.begin;
-    const double end = curve.end;
-    unit.position = [position = curve.position, begin, end](double f) {
-        return position(f == 1 ? end : begin + f * (end - begin));
-    };
-    unit.derivative = [derivative = curve.derivative, begin, end](double f) {
-        return (end - begin) * derivative(f == 1 ? end : begin + f * (end - begin));
-    };
-    unit.closed = curve.closed;
-    return unit;
-}
-
-}  // namespace
 
 Vec3 evaluate(const Surface& surface, const SurfaceParameters& at) {
     const SurfaceParameters inside = into_range(surface, at);
@@ -100,9 +101,7 @@ Surface formula_surface(std::function<Vec3(double, double)> position,
         return along([&](double t) { return position(u, t); }, v);
     };
     surface.position = std::move(position);
-    const std::array<bool, 2> closed = closed_along(surface);
-    surface.closed_u = closed[0];
-    surface.closed_v = closed[1];
+    find_closed(surface);
     return surface;
 }
 
@@ -167,6 +166,8 @@ Surface ruled_surface(const Curve& first, const Curve& second) {
     };
     surface.derivative_v = [a, b](double u, double) { return b.position(u) - a.position(u); };
     surface.closed_u = first.closed && second.closed;
+    std::set_union(a.breaks.begin(), a.breaks.end(), b.breaks.begin(), b.breaks.end(),
+                   std::back_inserter(surface.breaks_u));
     return surface;
 }
 
@@ -186,6 +187,7 @@ Surface revolution(const Curve& curve, const Vec3& center, const Vec3& axis, dou
     surface.range_u = {0, std::min(turn, full_turn)};
     surface.range_v = {curve.begin, curve.end};
     surface.closed_v = curve.closed;
+    surface.breaks_v = curve.breaks;
     return surface;
 }
 

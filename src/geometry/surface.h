@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "core/vec3.h"
 #include "geometry/curve.h"
@@ -28,7 +29,13 @@ struct Surface {
     std::array<double, 2> range_v{0, 1};
     bool closed_u = false;
     bool closed_v = false;
+    std::vector<double> breaks_u{};  ///< interior parameters where a derivative of any order jumps
+    std::vector<double> breaks_v{};
 };
+
+/// Sets closed_u and closed_v: closed along a parameter are surfaces whose two ends coincide
+/// everywhere, to 1e-12 of their extent.
+void find_closed(Surface& surface);
 
 /// Position and derivatives. Parameters outside the range wrap round where the surface is closed;
 /// where it is not they are taken to be those of the edge (they err by rounding only).
@@ -37,8 +44,8 @@ Vec3 evaluate_derivative_u(const Surface& surface, const SurfaceParameters& at);
 Vec3 evaluate_derivative_v(const Surface& surface, const SurfaceParameters& at);
 
 /// The surface position(u, v) over ascending ranges. Its derivatives are taken by differences of
-/// eighth order that never leave the ranges. Closed along a parameter when its two ends coincide
-/// everywhere, to 1e-12 of its extent. Precondition: the formula is finite.
+/// eighth order that never leave the ranges. Closed as by find_closed. Precondition: the formula is
+/// finite.
 Surface formula_surface(std::function<Vec3(double, double)> position,
                         const std::array<double, 2>& range_u, const std::array<double, 2>& range_v);
 
