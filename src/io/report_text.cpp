@@ -183,13 +183,14 @@ std::string node_text(const ZoneMeasure& z) {
 std::string zone_table(const Report& report) {
     std::size_t width = 4;
     for (const ZoneMeasure& z : report.zones) width = std::max(width, z.name.size());
-    std::string text = fmt::format("{:<{}}  {:>10} {:>12} {:>7} {:>6}  {}\n", "zone", width,
-                                   "cells", "worst corner", "folded", "flat", "worst cell");
+    std::string text =
+        fmt::format("{:<{}}  {:>10} {:>12} {:>10} {:>7} {:>6}  {}\n", "zone", width, "cells",
+                    "worst corner", "inside", "folded", "flat", "worst cell");
     for (const ZoneMeasure& z : report.zones) {
         text += fmt::format(
-            "{:<{}}  {:>10} {:>12.4g} {:>7} {:>6}  {} at ({:.6g}, {:.6g}, {:.6g})\n", z.name, width,
-            grouped(z.cells), z.worst_scaled_jacobian, z.folded, z.flat_corners, node_text(z),
-            z.worst_place.x, z.worst_place.y, z.worst_place.z);
+            "{:<{}}  {:>10} {:>12.4g} {:>10.4g} {:>7} {:>6}  {} at ({:.6g}, {:.6g}, {:.6g})\n",
+            z.name, width, grouped(z.cells), z.worst_scaled_jacobian, z.worst_inside, z.folded,
+            z.flat_corners, node_text(z), z.worst_place.x, z.worst_place.y, z.worst_place.z);
     }
     return text;
 }

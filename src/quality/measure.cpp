@@ -50,7 +50,8 @@ struct Collector {
     ZoneMeasure& zone;
 
     /// Returns whether the corner folds its cell.
-    bool corner(double scaled_jacobian, bool may_be_flat, const Node& cell, const Vec3& place) {
+    bool corner(double scaled_jacobian, bool may_be_flat, bool inside, const Node& cell,
+                const Vec3& place) {
         // A corner that is turned inside out is folded wherever it lies; "flat" means flat.
         if (may_be_flat && std::abs(scaled_jacobian) <= fold_limit) {
             ++zone.flat_corners;
@@ -61,6 +62,7 @@ struct Collector {
             zone.worst_cell = cell;
             zone.worst_place = place;
         }
+        if (inside && !(scaled_jacobian >= zone.worst_inside)) zone.worst_inside = scaled_jacobian;
         return !(scaled_jacobian > fold_limit);
     }
 };
@@ -90,7 +92,9 @@ void measure_surface(const PointField& x, bool planar, ZoneMeasure& zone) {
                     scaled(inward[0] * inward[1] * dot(normal, cross(a, b)), norm(a) * norm(b));
                 const bool may_be_flat = on_side(node, extent, 0) && on_side(node, extent, 1) &&
                                          sides_meet_flat(a, b, {});
-                folded |= collect.corner(value, may_be_flat, {i, j, 0}, x(node[0], node[1]));
+                const bool inside = !on_side(node, extent, 0) && !on_side(node, extent, 1);
+                folded |=
+                    collect.corner(value, may_be_flat, inside, {i, j, 0}, x(node[0], node[1]));
             }
             if (folded) ++zone.folded;
         }
@@ -123,7 +127,9 @@ bool cell_is_folded(const PointField& x, const Node& cell, Collector& collect) {
         const double sign = inward[0] * inward[1] * inward[2];
         const double value = scaled(sign * triple(legs[0], legs[1], legs[2]),
                                     norm(legs[0]) * norm(legs[1]) * norm(legs[2]));
-        folded |= collect.corner(value, on_flat_edge(node, x.extent(), legs), cell,
+        const bool inside = !on_side(node, x.extent(), 0) && !on_side(node, x.extent(), 1) &&
+                            !on_side(node, x.extent(), 2);
+        folded |= collect.corner(value, on_flat_edge(node, x.extent(), legs), inside, cell,
                                  x(node[0], node[1], node[2]));
     }
     return folded;

@@ -57,6 +57,9 @@ struct ZoneMeasure {
     double worst_scaled_jacobian = 1;  ///< over all corners of all cells, flat corners apart
     Node worst_cell{};                 ///< zero-based
     Vec3 worst_place;
+    /// The same over the corners whose vertex is no node of the zone's boundary, whose points are
+    /// given; 1 where there is none.
+    double worst_inside = 1;
     std::size_t folded = 0;
     std::size_t flat_corners = 0;
     AngleMeasure angles;

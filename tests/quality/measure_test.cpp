@@ -69,6 +69,29 @@ TEST_CASE("one node pulled through its neighbours folds the cells around it and 
     CHECK(m.worst_cell[0] <= 2);
 }
 
+TEST_CASE("corners on the boundary do not count inside") {
+    for (const int nk : {5, 1}) {
+        Zone zone = make_zone({5, 5, nk}, [](double i, double j, double k) {
+            return Vec3{i, j, k};
+        });
+        const int k = nk / 2;
+        zone.points.set(0, 0, k, {0.5, 0.3, static_cast<double>(k)});
+        ZoneMeasure m = measure_zone(zone, nk == 1 ? 2 : 3);
+        CHECK(m.worst_scaled_jacobian < 0.9);
+        CHECK(m.worst_inside == Approx(1).epsilon(1e-15));
+        zone.points.set(2, 2, k, {2.5, 2, static_cast<double>(k)});
+        m = measure_zone(zone, nk == 1 ? 2 : 3);
+        CHECK(m.worst_inside == Approx(nk == 1 ? 2 / std::sqrt(5.0) : 0.8).epsilon(1e-12));
+        CHECK(m.worst_scaled_jacobian < m.worst_inside);
+    }
+    CHECK(measure_zone(make_zone({2, 2, 2},
+                                 [](double i, double j, double k) {
+                                     return Vec3{i, j, k};
+                                 }),
+                       3)
+              .worst_inside == 1);
+}
+
 TEST_CASE("a node that is not a number is a fold") {
     Zone zone = make_zone({3, 3, 1}, [](double i, double j, double) { return Vec3{i, j, 0}; });
     zone.points.set(1, 1, 0, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
