@@ -54,7 +54,7 @@ struct CurveEntry {
 struct SurfaceEntry {
     Name name;
     std::shared_ptr<const Surface> shape;
-    bool used_by_surface = false;  ///< another surface is made of it
+    bool used_by_surface = false;  ///< another surface, or a curve, is made of it
 };
 
 struct OnCurve {

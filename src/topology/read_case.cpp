@@ -7,11 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "topology/read_curves.h"
 #include "topology/read_entries.h"
 #include "topology/read_parameters.h"
-#include "topology/read_surfaces.h"
 #include "topology/read_values.h"
+#include "topology/shapes.h"
 #include "topology/yaml_tree.h"
 
 namespace hexweave {
@@ -157,10 +156,8 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     refuse_section(reading, *root, "periodic");
     read_title_and_units(reading, *root, c);
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
-    read_into(c.curves, reading, *root, "curves", read_curves);
-    if (const YamlNode* surfaces = section_of(reading, *root, "surfaces")) {
-        c.surfaces = read_surfaces(reading, *surfaces, c.curves);
-    }
+    const YamlNode* curves = section_of(reading, *root, "curves");
+    read_shapes(reading, curves, section_of(reading, *root, "surfaces"), c);
     read_into(c.vertices, reading, *root, "vertices", read_vertices);
     read_into(c.edges, reading, *root, "edges", read_edges);
     read_into(c.faces, reading, *root, "faces", read_faces);

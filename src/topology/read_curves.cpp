@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <utility>
 
 #include "geometry/transform.h"
@@ -17,68 +15,59 @@ namespace hexweave {
 
 namespace {
 
-/// How many curves may be made of one another in a row.
-constexpr int longest_descent = 100;
+MaybeCurve read_other_curve(Shapes& shapes, const YamlNode& entry) {
+    const auto other = use_curve(shapes, *entry.find("of"), "'of'");
+    return other ? MaybeCurve(*other) : std::nullopt;
+}
 
-/// The curves read so far, and the names of all.
-struct CurvesSoFar {
-    const YamlNode& section;
-    std::vector<CurveEntry> entries;
-    std::map<std::string, int> descent;  ///< how many curves each is made of, in a row
+/// A family whose curves are made of other shapes.
+struct MadeFamily {
+    std::string_view key;
+    Keys further;
+    MaybeCurve (*read)(Shapes& shapes, const YamlNode& entry);
 };
 
-MaybeCurve read_other_curve(Reading& reading, CurvesSoFar& curves, const YamlNode& entry) {
-    const YamlNode& node = *entry.find("of");
-    const Name name = read_name(reading, node, "'of'");
-    if (name.value.empty()) return std::nullopt;
-    const auto other =
-        std::find_if(curves.entries.begin(), curves.entries.end(),
-                     [&](const CurveEntry& c) { return c.name.value == name.value; });
-    if (other == curves.entries.end()) {
-        Keys known;
-        for (const CurveEntry& c : curves.entries) known.emplace_back(c.name.value);
-        tell_not_before(reading, node, "curve", curves.section, known);
-        return std::nullopt;
-    }
-    other->used_by_curve = true;
-    const int descent = curves.descent[name.value] + 1;
-    curves.descent[entry.key] = descent;
-    if (descent > longest_descent) {
-        reading.diagnostics.error(
-            node.place,
-            fmt::format("more than {} curves are made of one another", longest_descent));
-        return std::nullopt;
-    }
-    if (!other->shape) return std::nullopt;
-    return *other->shape;
+const std::vector<MadeFamily>& made_families() {
+    static const std::vector<MadeFamily> list{
+        {"of", {}, read_other_curve},
+    };
+    return list;
 }
 
 const Keys& family_names() {
     static const Keys names = [] {
         Keys list;
         for (const CurveFamily& family : curve_families()) list.push_back(family.key);
-        list.emplace_back("of");
+        for (const MadeFamily& family : made_families()) list.push_back(family.key);
         return list;
     }();
     return names;
 }
 
-std::shared_ptr<const Curve> read_curve(Reading& reading, CurvesSoFar& curves,
-                                        const YamlNode& entry) {
+template <class Family>
+const Family* find_family(const std::vector<Family>& families, const std::string& key) {
+    const auto found = std::find_if(families.begin(), families.end(),
+                                    [&](const Family& f) { return f.key == key; });
+    return found == families.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::shared_ptr<const Curve> read_curve(Shapes& shapes, const YamlNode& entry) {
+    Reading& reading = shapes.reading;
     const std::string what = fmt::format("curve '{}'", shown(entry.key));
     const std::string key = read_family(reading, entry, what, family_names());
     if (key.empty()) return nullptr;
-    const auto family = std::find_if(curve_families().begin(), curve_families().end(),
-                                     [&](const CurveFamily& f) { return f.key == key; });
-    const bool of_another = family == curve_families().end();
+    const CurveFamily* family = find_family(curve_families(), key);
+    const MadeFamily* made = find_family(made_families(), key);
     Keys keys{key};
-    if (!of_another) keys.insert(keys.end(), family->further.begin(), family->further.end());
+    const Keys& further = family != nullptr ? family->further : made->further;
+    keys.insert(keys.end(), further.begin(), further.end());
     keys.insert(keys.end(), transform_keys().begin(), transform_keys().end());
     keys.emplace_back("reverse");
     expect_mapping(reading, entry, what, keys);
 
-    MaybeCurve shape =
-        of_another ? read_other_curve(reading, curves, entry) : family->read(reading, entry);
+    MaybeCurve shape = family != nullptr ? family->read(reading, entry) : made->read(shapes, entry);
     const std::optional<std::vector<Affine>> maps = read_transforms(reading, entry, what);
     const std::optional<bool> backwards = read_switch(reading, entry, "reverse");
     if (!shape || !maps || !backwards || has_misspelled(reading, entry)) return nullptr;
@@ -89,18 +78,6 @@ std::shared_ptr<const Curve> read_curve(Reading& reading, CurvesSoFar& curves,
     }
     if (*backwards) shape = reversed(*shape);
     return std::make_shared<const Curve>(std::move(*shape));
-}
-
-}  // namespace
-
-std::vector<CurveEntry> read_curves(Reading& reading, const YamlNode& section) {
-    CurvesSoFar curves{section, {}, {}};
-    for (const YamlNode& entry : section.children) {
-        check_new_name(reading, entry, "curve");
-        std::shared_ptr<const Curve> shape = read_curve(reading, curves, entry);
-        curves.entries.push_back({{entry.key, entry.key_place}, std::move(shape), false});
-    }
-    return std::move(curves.entries);
 }
 
 }  // namespace hexweave

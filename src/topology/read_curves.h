@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `curves:` of a file: families, transforms, and the data files that they name.
+// An entry of a file's `curves:`: its family, its transforms, and the data files that it names.
 #pragma once
 
-#include <vector>
+#include <memory>
 
-#include "topology/case.h"
-#include "topology/read_values.h"
+#include "geometry/curve.h"
+#include "topology/shapes.h"
 
 namespace hexweave {
 
-/// One entry for every key, in order; without a shape where it is faulty.
-std::vector<CurveEntry> read_curves(Reading& reading, const YamlNode& section);
+/// The curve of an entry; null where it is faulty.
+std::shared_ptr<const Curve> read_curve(Shapes& shapes, const YamlNode& entry);
 
 }  // namespace hexweave

@@ -47,17 +47,4 @@ std::string read_family(Reading& reading, const YamlNode& entry, const std::stri
     return {};
 }
 
-void tell_not_before(Reading& reading, const YamlNode& node, const std::string& kind,
-                     const YamlNode& section, const Keys& known) {
-    const std::string& name = node.text;
-    const bool later = section.find(name) != nullptr;
-    reading.diagnostics.error(
-        node.place,
-        later ? fmt::format("the {} '{}' is used before it is defined", kind, name)
-              : fmt::format("unknown {} '{}'", kind, name),
-        later           ? fmt::format("a {} can be made only of those that stand before it", kind)
-        : known.empty() ? std::string()
-                        : suggestion(name, known, fmt::format("{}s before this one are", kind)));
-}
-
 }  // namespace hexweave

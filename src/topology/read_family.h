@@ -13,9 +13,4 @@ namespace hexweave {
 std::string read_family(Reading& reading, const YamlNode& entry, const std::string& what,
                         const Keys& names);
 
-/// Tells that `name`, of a `kind` ("curve") that must stand before its use, does not. `known` are
-/// those that do, `section` where all of them stand.
-void tell_not_before(Reading& reading, const YamlNode& node, const std::string& kind,
-                     const YamlNode& section, const Keys& known);
-
 }  // namespace hexweave

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -22,21 +21,10 @@ namespace {
 
 using MaybeSurface = std::optional<Surface>;
 
-/// What surfaces may be made of.
-struct Material {
-    const YamlNode& section;
-    std::vector<CurveEntry>& curves;
-    std::vector<SurfaceEntry> surfaces{};  ///< so far
-    std::map<std::string, int> descent{};  ///< how many surfaces each is made of, in a row
-};
-
-/// How many surfaces may be made of one another in a row.
-constexpr int longest_descent = 100;
-
 struct SurfaceFamily {
     std::string_view key;
     Keys further;  ///< keys that may stand beside it
-    MaybeSurface (*read)(Reading& reading, const YamlNode& entry, Material& material);
+    MaybeSurface (*read)(Reading& reading, const YamlNode& entry, Shapes& shapes);
 };
 
 /// A vector that must not be zero.
@@ -90,7 +78,7 @@ bool check_finite(Reading& reading, const YamlNode& node, const FormulaOfTwo& fo
     return true;
 }
 
-MaybeSurface read_formula_surface(Reading& reading, const YamlNode& entry, Material&) {
+MaybeSurface read_formula_surface(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "formula");
     const auto range_u = require_range(reading, entry, "u");
     const auto range_v = require_range(reading, entry, "v");
@@ -118,7 +106,7 @@ MaybeSurface read_formula_surface(Reading& reading, const YamlNode& entry, Mater
     return formula_surface(position, *range_u, *range_v);
 }
 
-MaybeSurface read_plane_surface(Reading& reading, const YamlNode& entry, Material&) {
+MaybeSurface read_plane_surface(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "plane");
     if (!expect_mapping(reading, node, "'plane'", {"point", "u", "v"})) return std::nullopt;
     const auto point = require_point(reading, node, "point", "'plane'");
@@ -128,7 +116,7 @@ MaybeSurface read_plane_surface(Reading& reading, const YamlNode& entry, Materia
     return plane_surface(*point, *u, *v);
 }
 
-MaybeSurface read_sphere(Reading& reading, const YamlNode& entry, Material&) {
+MaybeSurface read_sphere(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "sphere");
     if (!expect_mapping(reading, node, "'sphere'", {"center", "radius", "axis"})) return {};
     const auto center = require_point(reading, node, "center", "'sphere'");
@@ -154,7 +142,7 @@ std::optional<std::array<Vec3, 2>> read_axis_ends(Reading& reading, const YamlNo
     return std::nullopt;
 }
 
-MaybeSurface read_cylinder(Reading& reading, const YamlNode& entry, Material&) {
+MaybeSurface read_cylinder(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "cylinder");
     if (!expect_mapping(reading, node, "'cylinder'", {"from", "to", "radius"})) return {};
     const auto ends = read_axis_ends(reading, node, "'cylinder'");
@@ -165,7 +153,7 @@ MaybeSurface read_cylinder(Reading& reading, const YamlNode& entry, Material&) {
     return cone((*ends)[0], (*ends)[1], *radius, *radius);
 }
 
-MaybeSurface read_cone(Reading& reading, const YamlNode& entry, Material&) {
+MaybeSurface read_cone(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "cone");
     if (!expect_mapping(reading, node, "'cone'", {"from", "to", "radii"})) return std::nullopt;
     const auto ends = read_axis_ends(reading, node, "'cone'");
@@ -179,41 +167,21 @@ MaybeSurface read_cone(Reading& reading, const YamlNode& entry, Material&) {
     return std::nullopt;
 }
 
-/// The shape of a curve that a surface is made of.
-std::shared_ptr<const Curve> read_curve_name(Reading& reading, const YamlNode& node,
-                                             const std::string& what, Material& material) {
-    const Name name = read_name(reading, node, what);
-    if (name.value.empty()) return nullptr;
-    const auto found =
-        std::find_if(material.curves.begin(), material.curves.end(),
-                     [&](const CurveEntry& c) { return c.name.value == name.value; });
-    if (found != material.curves.end()) {
-        found->used_by_curve = true;
-        return found->shape;
-    }
-    Keys known;
-    for (const CurveEntry& c : material.curves) known.emplace_back(c.name.value);
-    reading.diagnostics.error(node.place, fmt::format("unknown curve '{}'", name.value),
-                              known.empty() ? "" : suggestion(name.value, known, "curves are"));
-    return nullptr;
-}
-
-MaybeSurface read_ruled(Reading& reading, const YamlNode& entry, Material& material) {
+MaybeSurface read_ruled(Reading& reading, const YamlNode& entry, Shapes& shapes) {
     const YamlNode& node = *find(reading, entry, "ruled");
     if (!expect_list(reading, node, "'ruled'", 2)) return std::nullopt;
-    const auto first = read_curve_name(reading, node.children[0], "a curve of 'ruled'", material);
-    const auto second = read_curve_name(reading, node.children[1], "a curve of 'ruled'", material);
+    const auto first = use_curve(shapes, node.children[0], "a curve of 'ruled'");
+    const auto second = use_curve(shapes, node.children[1], "a curve of 'ruled'");
     if (!first || !second) return std::nullopt;
     return ruled_surface(*first, *second);
 }
 
-MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Material& material) {
+MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Shapes& shapes) {
     const YamlNode& node = *find(reading, entry, "revolution");
     const Keys keys{"curve", "axis", "center", "angle"};
     if (!expect_mapping(reading, node, "'revolution'", keys)) return std::nullopt;
     const YamlNode* name = require(reading, node, "curve", "'revolution'");
-    const auto curve =
-        name == nullptr ? nullptr : read_curve_name(reading, *name, "'curve'", material);
+    const auto curve = name == nullptr ? nullptr : use_curve(shapes, *name, "'curve'");
     const auto axis = read_direction(reading, node, "axis", "'revolution'");
     std::optional<Vec3> center = Vec3{};
     if (const YamlNode* given = find(reading, node, "center")) {
@@ -233,30 +201,9 @@ MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Material& 
     return revolution(*curve, *center, *axis, *turn);
 }
 
-MaybeSurface read_other_surface(Reading& reading, const YamlNode& entry, Material& material) {
-    const YamlNode& node = *find(reading, entry, "of");
-    const Name name = read_name(reading, node, "'of'");
-    if (name.value.empty()) return std::nullopt;
-    const auto found =
-        std::find_if(material.surfaces.begin(), material.surfaces.end(),
-                     [&](const SurfaceEntry& s) { return s.name.value == name.value; });
-    if (found == material.surfaces.end()) {
-        Keys known;
-        for (const SurfaceEntry& s : material.surfaces) known.emplace_back(s.name.value);
-        tell_not_before(reading, node, "surface", material.section, known);
-        return std::nullopt;
-    }
-    found->used_by_surface = true;
-    const int descent = material.descent[name.value] + 1;
-    material.descent[entry.key] = descent;
-    if (descent > longest_descent) {
-        reading.diagnostics.error(
-            node.place,
-            fmt::format("more than {} surfaces are made of one another", longest_descent));
-        return std::nullopt;
-    }
-    if (!found->shape) return std::nullopt;
-    return *found->shape;
+MaybeSurface read_other_surface(Reading& reading, const YamlNode& entry, Shapes& shapes) {
+    const auto other = use_surface(shapes, *find(reading, entry, "of"), "'of'");
+    return other ? MaybeSurface(*other) : std::nullopt;
 }
 
 const std::vector<SurfaceFamily>& surface_families() {
@@ -291,8 +238,10 @@ bool has_area(const Surface& surface) {
     return false;
 }
 
-std::shared_ptr<const Surface> read_surface(Reading& reading, const YamlNode& entry,
-                                            Material& material) {
+}  // namespace
+
+std::shared_ptr<const Surface> read_surface(Shapes& shapes, const YamlNode& entry) {
+    Reading& reading = shapes.reading;
     const std::string what = fmt::format("surface '{}'", shown(entry.key));
     static const Keys names = [] {
         Keys list;
@@ -309,7 +258,7 @@ std::shared_ptr<const Surface> read_surface(Reading& reading, const YamlNode& en
     keys.insert(keys.end(), transform_keys().begin(), transform_keys().end());
     expect_mapping(reading, entry, what, keys);
 
-    MaybeSurface shape = family.read(reading, entry, material);
+    MaybeSurface shape = family.read(reading, entry, shapes);
     const std::optional<std::vector<Affine>> maps = read_transforms(reading, entry, what);
     if (!shape || !maps || has_misspelled(reading, entry)) return nullptr;
     Affine whole;
@@ -319,22 +268,6 @@ std::shared_ptr<const Surface> read_surface(Reading& reading, const YamlNode& en
     reading.diagnostics.error(entry.key_place, fmt::format("{} has no area", what),
                               "its two parameters lead in the same direction everywhere");
     return nullptr;
-}
-
-}  // namespace
-
-std::vector<SurfaceEntry> read_surfaces(Reading& reading, const YamlNode& section,
-                                        std::vector<CurveEntry>& curves) {
-    Material material{section, curves};
-    for (const YamlNode& entry : section.children) {
-        if (check_new_name(reading, entry, "surface") && entry.key == "minimal") {
-            reading.diagnostics.error(entry.key_place, "no surface can be named 'minimal'",
-                                      "that is what the surface of a face is by default");
-        }
-        std::shared_ptr<const Surface> shape = read_surface(reading, entry, material);
-        material.surfaces.push_back({{entry.key, entry.key_place}, std::move(shape), false});
-    }
-    return std::move(material.surfaces);
 }
 
 }  // namespace hexweave

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `surfaces:` of a file: families and transforms.
+// An entry of a file's `surfaces:`: its family, its parameters and its transforms.
 #pragma once
 
-#include <vector>
+#include <memory>
 
-#include "topology/case.h"
-#include "topology/read_values.h"
+#include "geometry/surface.h"
+#include "topology/shapes.h"
 
 namespace hexweave {
 
-/// One entry for every key, in order; without a shape where it is faulty. Marks the curves that
-/// surfaces are made of.
-std::vector<SurfaceEntry> read_surfaces(Reading& reading, const YamlNode& section,
-                                        std::vector<CurveEntry>& curves);
+/// The surface of an entry; null where it is faulty.
+std::shared_ptr<const Surface> read_surface(Shapes& shapes, const YamlNode& entry);
 
 }  // namespace hexweave

@@ -263,7 +263,7 @@ TEST_CASE("curves made of one another come to an end") {
     }
     const Read read = read_text(minimal(text));
     REQUIRE(read.diagnostics.errors() == 1);
-    CHECK(read.diagnostics.all()[0].message == "more than 100 curves are made of one another");
+    CHECK(read.diagnostics.all()[0].message == "more than 100 shapes are made of one another");
 }
 
 TEST_CASE("every bad case gives exactly the text beside it") {
