@@ -9,6 +9,7 @@
 #include "geometry/transform.h"
 #include "topology/read_family.h"
 #include "topology/read_shapes.h"
+#include "topology/read_surface_curves.h"
 #include "topology/read_transforms.h"
 
 namespace hexweave {
@@ -30,6 +31,7 @@ struct MadeFamily {
 const std::vector<MadeFamily>& made_families() {
     static const std::vector<MadeFamily> list{
         {"of", {}, read_other_curve},
+        {"surface", surface_curve_keys(), read_surface_curve},
     };
     return list;
 }
@@ -56,7 +58,10 @@ const Family* find_family(const std::vector<Family>& families, const std::string
 std::shared_ptr<const Curve> read_curve(Shapes& shapes, const YamlNode& entry) {
     Reading& reading = shapes.reading;
     const std::string what = fmt::format("curve '{}'", shown(entry.key));
-    const std::string key = read_family(reading, entry, what, family_names());
+    // A curve on a surface may have a 'line' of its own.
+    const std::string key = entry.find("surface") != nullptr
+                                ? "surface"
+                                : read_family(reading, entry, what, family_names());
     if (key.empty()) return nullptr;
     const CurveFamily* family = find_family(curve_families(), key);
     const MadeFamily* made = find_family(made_families(), key);

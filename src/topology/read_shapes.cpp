@@ -16,6 +16,7 @@
 #include "geometry/naca.h"
 #include "geometry/spline.h"
 #include "topology/read_data_file.h"
+#include "topology/read_nets.h"
 
 namespace hexweave {
 
@@ -25,24 +26,6 @@ namespace {
 MaybeCurve accept(Reading& reading, const YamlNode& node, CurveResult result) {
     if (!result.curve) reading.diagnostics.error(node.place, result.error);
     return std::move(result.curve);
-}
-
-std::optional<std::vector<Vec3>> read_points(Reading& reading, const YamlNode& node,
-                                             const std::string& what) {
-    if (node.is_mapping()) {
-        if (!expect_mapping(reading, node, what, {"file"})) return std::nullopt;
-        const YamlNode* file = require(reading, node, "file", what);
-        if (file == nullptr) return std::nullopt;
-        return read_point_file(reading, *file, "'file'");
-    }
-    if (!expect_list(reading, node, what)) return std::nullopt;
-    std::vector<Vec3> points;
-    for (const YamlNode& item : node.children) {
-        const auto point = read_point(reading, item, fmt::format("a point of {}", what));
-        if (point) points.push_back(*point);
-    }
-    if (points.size() != node.children.size()) return std::nullopt;
-    return points;
 }
 
 MaybeCurve read_line(Reading& reading, const YamlNode& node) {
@@ -245,6 +228,24 @@ MaybeCurve read_formula_curve(Reading& reading, const YamlNode& entry) {
 
 }  // namespace
 
+std::optional<std::vector<Vec3>> read_points(Reading& reading, const YamlNode& node,
+                                             const std::string& what) {
+    if (node.is_mapping()) {
+        if (!expect_mapping(reading, node, what, {"file"})) return std::nullopt;
+        const YamlNode* file = require(reading, node, "file", what);
+        if (file == nullptr) return std::nullopt;
+        return read_point_file(reading, *file, "'file'");
+    }
+    if (!expect_list(reading, node, what)) return std::nullopt;
+    std::vector<Vec3> points;
+    for (const YamlNode& item : node.children) {
+        const auto point = read_point(reading, item, fmt::format("a point of {}", what));
+        if (point) points.push_back(*point);
+    }
+    if (points.size() != node.children.size()) return std::nullopt;
+    return points;
+}
+
 const std::vector<CurveFamily>& curve_families() {
     static const std::vector<CurveFamily> list{
         {"line", {}, [](Reading& r, const YamlNode& e) { return read_line(r, *e.find("line")); }},
@@ -264,6 +265,7 @@ const std::vector<CurveFamily>& curve_families() {
         {"naca", {"chord", "side", "trailing_edge"}, read_naca},
         {"airfoil", {"chord", "side", "close_trailing_edge", "symmetric_half"}, read_airfoil_curve},
         {"formula", {"range"}, read_formula_curve},
+        {"nurbs", {}, read_nurbs_curve},
     };
     return list;
 }

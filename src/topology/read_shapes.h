@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +21,11 @@ struct CurveFamily {
     MaybeCurve (*read)(Reading& reading, const YamlNode& entry);
 };
 
-/// All families but `of`, a curve made of another.
+/// Points in a list, or in the file that a mapping names; nothing after an error.
+std::optional<std::vector<Vec3>> read_points(Reading& reading, const YamlNode& node,
+                                             const std::string& what);
+
+/// All families but those of curves made of other shapes.
 const std::vector<CurveFamily>& curve_families();
 
 }  // namespace hexweave

@@ -11,8 +11,12 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/lines.h"
 #include "geometry/surface.h"
+#include "geometry/surface_parts.h"
 #include "topology/read_family.h"
+#include "topology/read_nets.h"
+#include "topology/read_surface_parameters.h"
 #include "topology/read_transforms.h"
 
 namespace hexweave {
@@ -201,6 +205,22 @@ MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Shapes& sh
     return revolution(*curve, *center, *axis, *turn);
 }
 
+MaybeSurface read_extrusion(Reading& reading, const YamlNode& entry, Shapes& shapes) {
+    const YamlNode& node = *find(reading, entry, "extrusion");
+    if (!expect_mapping(reading, node, "'extrusion'", {"curve", "along"})) return std::nullopt;
+    const YamlNode* name = require(reading, node, "curve", "'extrusion'");
+    const YamlNode* way = require(reading, node, "along", "'extrusion'");
+    const auto curve = name == nullptr ? nullptr : use_curve(shapes, *name, "'curve'");
+    if (way == nullptr) return std::nullopt;
+    if (!way->is_sequence()) {
+        const auto path = use_curve(shapes, *way, "'along'");
+        return curve && path ? MaybeSurface(extrusion(*curve, *path)) : std::nullopt;
+    }
+    const auto vector = read_direction(reading, node, "along", "'extrusion'");
+    if (!curve || !vector) return std::nullopt;
+    return extrusion(*curve, straight_line({}, *vector));
+}
+
 MaybeSurface read_other_surface(Reading& reading, const YamlNode& entry, Shapes& shapes) {
     const auto other = use_surface(shapes, *find(reading, entry, "of"), "'of'");
     return other ? MaybeSurface(*other) : std::nullopt;
@@ -215,6 +235,13 @@ const std::vector<SurfaceFamily>& surface_families() {
         {"cone", {}, read_cone},
         {"ruled", {}, read_ruled},
         {"revolution", {}, read_revolution},
+        {"extrusion", {}, read_extrusion},
+        {"nurbs",
+         {},
+         [](Reading& r, const YamlNode& e, Shapes&) { return read_nurbs_surface(r, e); }},
+        {"control_points",
+         {},
+         [](Reading& r, const YamlNode& e, Shapes&) { return read_control_points(r, e); }},
         {"of", {}, read_other_surface},
     };
     return list;
@@ -255,10 +282,13 @@ std::shared_ptr<const Surface> read_surface(Shapes& shapes, const YamlNode& entr
                       [&](const SurfaceFamily& f) { return f.key == key; });
     Keys keys{family.key};
     keys.insert(keys.end(), family.further.begin(), family.further.end());
-    keys.insert(keys.end(), transform_keys().begin(), transform_keys().end());
+    for (const Keys& more : {surface_parameter_keys(), transform_keys()}) {
+        keys.insert(keys.end(), more.begin(), more.end());
+    }
     expect_mapping(reading, entry, what, keys);
 
     MaybeSurface shape = family.read(reading, entry, shapes);
+    if (shape) shape = with_parameters(reading, entry, *shape);
     const std::optional<std::vector<Affine>> maps = read_transforms(reading, entry, what);
     if (!shape || !maps || has_misspelled(reading, entry)) return nullptr;
     Affine whole;

@@ -11,6 +11,7 @@
 
 #include "geometry/conics.h"
 #include "geometry/lines.h"
+#include "geometry/surface_parts.h"
 #include "geometry/surface_projection.h"
 
 using namespace hexweave;
@@ -51,6 +52,12 @@ std::vector<std::pair<std::string, Surface>> families() {
         {"ruled", ruled_surface(circle({0, 0, 0}, 1), circle({1, 0, 2}, 2))},
         {"revolution", revolution(straight_line({1, 0, 0}, {2, 0, 1}), {0, 0, 0}, {0, 0, 1}, 3)},
         {"moved sphere", transformed(sphere({0, 0, 0}, 1), rotation({1, 2, 3}, 1, {4, 5, 6}))},
+        {"part", surface_part(sphere({1, 2, 3}, 4), {5, 7}, {-1, 1})},
+        {"swapped cone", swapped(pointed_cone())},
+        {"reversed cone", reversed_u(pointed_cone())},
+        {"other way reversed cone", reversed_v(pointed_cone())},
+        {"extrusion",
+         extrusion(circle({0, 0, 0}, 1), arc({0, 0, 3}, 2, 0, 2, {{1, 0, 0}, {0, 0, 1}}))},
         {"rounded wing", formula_surface(rounded_wing, {0, 1}, {0, 1})},
     };
 }
