@@ -91,6 +91,25 @@ TEST_CASE("third-party libraries stay in their rooms") {
     }
 }
 
+TEST_CASE("Open CASCADE stays in the module that reads CAD files") {
+    std::size_t found = 0;
+    for (const Include& include : all_includes()) {
+        if (include.quoted || fs::path(include.target).extension() != ".hxx") continue;
+        ++found;
+        INFO(include.file << " includes <" << include.target << ">");
+        CHECK(include.file.rfind("geometry/cad_", 0) == 0);
+    }
+    CHECK(found > 10);
+    // Its own headers do not leave the module either.
+    const std::set<std::string> inside{"geometry/cad_nurbs.h", "geometry/cad_readers.h",
+                                       "geometry/cad_shapes.h"};
+    for (const Include& include : all_includes()) {
+        if (inside.count(include.target) == 0) continue;
+        INFO(include.file << " includes " << include.target);
+        CHECK(include.file.rfind("geometry/cad_", 0) == 0);
+    }
+}
+
 TEST_CASE("main stays under a hundred lines") {
     std::ifstream stream(fs::path(HEXWEAVE_SOURCE_DIR) / "src" / "main.cpp");
     int lines = 0;
