@@ -47,7 +47,9 @@ PerBlockEdge<EndExponents> edge_exponents(const PointField& boundary, double exp
     if (exponent == 1) return exponents;
     Block block;
     block.extent = boundary.extent();
-    for (std::size_t side = 0; side < 6; ++side) block.sides[side].face = static_cast<int>(side);
+    for (std::size_t side = 0; side < 6; ++side) {
+        block.sides[side].faces[0].face = static_cast<int>(side);
+    }
     const PerBlockEdge<bool> flat = flat_edges(block, side_faces(boundary));
     for (int axis = 0; axis < 3; ++axis) {
         for (std::size_t number = 0; number < 4; ++number) {

@@ -49,9 +49,17 @@ Uses uses_of_faces(const Topology& topology) {
     for (std::size_t zone = 0; zone < topology.blocks.size(); ++zone) {
         const Block& block = topology.blocks[zone];
         for (const Side side : all_sides) {
-            const FaceUse& use = block.side(side);
-            uses[static_cast<std::size_t>(use.face)].push_back(
-                {static_cast<int>(zone), side, side_box(side, block.extent), use.orientation});
+            for (const FaceUse& use : block.side(side).faces) {
+                const auto face = static_cast<std::size_t>(use.face);
+                const Extent own = own_extent(use.orientation, topology.faces[face].extent());
+                IndexBox box = side_box(side, block.extent);
+                for (std::size_t n = 0; n < 2; ++n) {
+                    const auto axis = static_cast<std::size_t>(tangential_axes(side)[n]);
+                    box.begin[axis] = use.begin[n];
+                    box.end[axis] = use.begin[n] + own[static_cast<int>(n)] - 1;
+                }
+                uses[face].push_back({static_cast<int>(zone), side, box, use.orientation});
+            }
         }
     }
     return uses;

@@ -14,7 +14,7 @@ namespace hexweave {
 
 /// Zones, interfaces, families and patches. An edge (face) used twice is a one-to-one interface,
 /// within one zone too; every other side belongs to exactly one boundary. A side made of several
-/// edges gives one interface or patch per edge. Points are copied.
+/// edges (faces) gives one interface or patch for each. Points are copied.
 MultiblockGrid assemble(const Topology& topology, const std::vector<FaceGrid>& faces,
                         const std::vector<BlockGrid>& blocks);
 

@@ -13,6 +13,9 @@ namespace hexweave {
 /// The node of a block's side at (a, b) of its two tangential axes.
 Node side_node(Side side, int a, int b, const Extent& block);
 
+/// The points of a whole side of a block, over its two tangential axes.
+PointField side_points(const Block& block, Side side, const std::vector<FaceGrid>& faces);
+
 /// A field of the block's extent with the points of its six faces on its boundary, to the bit.
 PointField block_boundary(const Block& block, const std::vector<FaceGrid>& faces);
 

@@ -20,16 +20,14 @@ Side side_at(int axis, bool max) {
     return static_cast<Side>(2 * axis + (max ? 1 : 0));
 }
 
+/// The points of a block's six sides.
+using SidePoints = std::array<PointField, 6>;
+
 /// A node of the block's boundary, on the given side.
-Vec3 boundary_point(const Block& block, Side side, const Node& node,
-                    const std::vector<FaceGrid>& faces) {
-    const FaceUse& use = block.side(side);
-    const PointField& face = faces[static_cast<std::size_t>(use.face)].points;
+Vec3 boundary_point(const SidePoints& points, Side side, const Node& node) {
     const auto [a, b] = tangential_axes(side);
-    const Node n = map_node(
-        use.orientation, {node[static_cast<std::size_t>(a)], node[static_cast<std::size_t>(b)], 0},
-        face.extent());
-    return face(n[0], n[1], n[2]);
+    return points[static_cast<std::size_t>(side)](node[static_cast<std::size_t>(a)],
+                                                  node[static_cast<std::size_t>(b)]);
 }
 
 /// The angle through the block between two legs from a node of an edge, seen along it; `sign` makes
@@ -43,7 +41,7 @@ double angle_about(const Vec3& along, const Vec3& first, const Vec3& second, int
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-bool is_flat(const Block& block, int axis, std::size_t number, const std::vector<FaceGrid>& faces) {
+bool is_flat(const Extent& extent, int axis, std::size_t number, const SidePoints& points) {
     const int first = across[static_cast<std::size_t>(axis)][0];
     const int second = across[static_cast<std::size_t>(axis)][1];
     const bool first_max = number % 2 == 1;
@@ -54,27 +52,26 @@ bool is_flat(const Block& block, int axis, std::size_t number, const std::vector
     const int inward_first = first_max ? -1 : 1;
     const int inward_second = second_max ? -1 : 1;
     const int sign = (axis == 1 ? -1 : 1) * inward_first * inward_second;
-    const int nodes = block.extent[axis];
+    const int nodes = extent[axis];
     const auto node_at = [&](int n, int steps_first, int steps_second) {
         Node node{};
         node[static_cast<std::size_t>(axis)] = n;
-        node[static_cast<std::size_t>(first)] =
-            (first_max ? block.extent[first] - 1 : 0) + steps_first;
+        node[static_cast<std::size_t>(first)] = (first_max ? extent[first] - 1 : 0) + steps_first;
         node[static_cast<std::size_t>(second)] =
-            (second_max ? block.extent[second] - 1 : 0) + steps_second;
+            (second_max ? extent[second] - 1 : 0) + steps_second;
         return node;
     };
     int flat = 0;
     for (int n = 0; n < nodes; ++n) {
         const auto edge_point = [&](int m) {
-            return boundary_point(block, first_side, node_at(m, 0, 0), faces);
+            return boundary_point(points, first_side, node_at(m, 0, 0));
         };
         const Vec3 here = edge_point(n);
         const Vec3 along = edge_point(std::min(n + 1, nodes - 1)) - edge_point(std::max(n - 1, 0));
         const Vec3 leg_first =
-            boundary_point(block, first_side, node_at(n, inward_first, 0), faces) - here;
+            boundary_point(points, first_side, node_at(n, inward_first, 0)) - here;
         const Vec3 leg_second =
-            boundary_point(block, second_side, node_at(n, 0, inward_second), faces) - here;
+            boundary_point(points, second_side, node_at(n, 0, inward_second)) - here;
         const double angle = angle_about(along, leg_first, leg_second, sign);
         if (angle > flat_angle && angle < slit_angle) ++flat;
     }
@@ -116,11 +113,7 @@ void enter_flat_edge(const PerBlockEdge<std::vector<EdgeUse>>& rows, int axis, s
 }  // namespace
 
 PerBlockEdge<std::vector<EdgeUse>> block_edges(const Topology& topology, const Block& block) {
-    const auto frame = [&](Side side) {
-        const FaceUse& use = block.side(side);
-        return sides_in_frame(topology.faces[static_cast<std::size_t>(use.face)].sides,
-                              use.orientation);
-    };
+    const auto frame = [&](Side side) { return sides_in_frame(topology.faces, block.side(side)); };
     PerBlockEdge<std::vector<EdgeUse>> rows;
     for (std::size_t max = 0; max < 2; ++max) {
         const FrameSides at_j = frame(side_at(1, max == 1));
@@ -135,10 +128,15 @@ PerBlockEdge<std::vector<EdgeUse>> block_edges(const Topology& topology, const B
 }
 
 PerBlockEdge<bool> flat_edges(const Block& block, const std::vector<FaceGrid>& faces) {
+    SidePoints points;
+    for (const Side side : all_sides) {
+        points[static_cast<std::size_t>(side)] = side_points(block, side, faces);
+    }
     PerBlockEdge<bool> flat{};
     for (int axis = 0; axis < 3; ++axis) {
         for (std::size_t number = 0; number < 4; ++number) {
-            flat[static_cast<std::size_t>(axis)][number] = is_flat(block, axis, number, faces);
+            flat[static_cast<std::size_t>(axis)][number] =
+                is_flat(block.extent, axis, number, points);
         }
     }
     return flat;

@@ -40,8 +40,10 @@ Sides sides_of(const Topology& topology, bool three_dimensional) {
         enter(topology.faces);
         for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
             sides.names_of_users.push_back(topology.blocks[b].name);
-            for (const FaceUse& use : topology.blocks[b].sides) {
-                sides.users[static_cast<std::size_t>(use.face)].push_back(static_cast<int>(b));
+            for (const BlockSide& side : topology.blocks[b].sides) {
+                for (const FaceUse& use : side.faces) {
+                    sides.users[static_cast<std::size_t>(use.face)].push_back(static_cast<int>(b));
+                }
             }
         }
         return sides;

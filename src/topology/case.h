@@ -140,18 +140,27 @@ struct FaceEntry {
     std::optional<Name> surface{};     ///< a minimal surface (planar) where absent
 };
 
-/// A face as a block's side; `axes`, when given, are the side's two axes in the face's own (signed,
+/// A face on a block's side; `axes`, when given, are the side's two axes in the face's own (signed,
 /// 1 = i, 2 = j).
 struct FaceUseEntry {
     Name face;
     std::optional<std::array<int, 2>> axes;
 };
 
+/// The faces on one side of a block: one; or a strip, of which is to be found along which of the
+/// side's axes it runs; or rows along the side's first axis, listed along its second.
+struct BlockSideEntry {
+    std::vector<FaceUseEntry> faces;  ///< row by row
+    int columns = 1;                  ///< faces in a row
+    bool strip = false;
+    Place place;
+};
+
 /// Six sides (imin imax jmin jmax kmin kmax), or eight corner vertices in the order of the CGNS
 /// hexahedron.
 struct BlockEntry {
     Name name;
-    std::variant<std::array<FaceUseEntry, 6>, std::array<Name, 8>> shape;
+    std::variant<std::array<BlockSideEntry, 6>, std::array<Name, 8>> shape;
     MethodEntry how;
 };
 

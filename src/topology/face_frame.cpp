@@ -51,6 +51,34 @@ std::array<int, 4> corners_in_frame(const std::array<int, 4>& corners,
     return result;
 }
 
+FrameSides joined_frame(const std::vector<FrameSides>& faces, int columns) {
+    const int rows = static_cast<int>(faces.size()) / columns;
+    FrameSides joined;
+    const auto append = [&](std::size_t side, int column, int row) {
+        const auto& part = faces[static_cast<std::size_t>(column + row * columns)][side];
+        joined[side].insert(joined[side].end(), part.begin(), part.end());
+    };
+    for (int row = 0; row < rows; ++row) {
+        append(0, 0, row);
+        append(1, columns - 1, row);
+    }
+    for (int column = 0; column < columns; ++column) {
+        append(2, column, 0);
+        append(3, column, rows - 1);
+    }
+    return joined;
+}
+
+FrameSides sides_in_frame(const std::vector<Face>& faces, const BlockSide& side) {
+    std::vector<FrameSides> frames;
+    frames.reserve(side.faces.size());
+    for (const FaceUse& use : side.faces) {
+        frames.push_back(
+            sides_in_frame(faces[static_cast<std::size_t>(use.face)].sides, use.orientation));
+    }
+    return joined_frame(frames, side.columns);
+}
+
 std::array<std::size_t, 4> corners_of_side(Side side) {
     const std::array<int, 2> axes = tangential_axes(side);
     std::array<std::size_t, 4> result{};

@@ -23,6 +23,12 @@ FrameSides sides_in_frame(const FrameSides& face_sides, const Orientation& orien
 std::array<int, 4> corners_in_frame(const std::array<int, 4>& corners,
                                     const Orientation& orientation);
 
+/// The four sides of faces in rows of `columns`, each face already seen in the axes of the block's
+/// side: chains over all faces along the border.
+FrameSides joined_frame(const std::vector<FrameSides>& faces, int columns);
+/// The four sides of a whole side of a block.
+FrameSides sides_in_frame(const std::vector<Face>& faces, const BlockSide& side);
+
 /// Corner (i, j, k), each 0 or 1, in the order of the CGNS hexahedron.
 constexpr std::size_t hexahedron_corner(int i, int j, int k) {
     const int corner = 4 * k + (j == 0 ? i : 3 - i);

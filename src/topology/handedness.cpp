@@ -94,6 +94,18 @@ std::array<Points, 4> sampled(const Topology& topology, const FrameSides& frame,
     return sides;
 }
 
+/// A face of a block's side, in the side's axes and seen from the origin.
+PatchNodes sampled_patch(const Topology& topology, const FaceUse& use, const Vec3& origin) {
+    const Face& face = topology.faces[static_cast<std::size_t>(use.face)];
+    const FrameSides frame = sides_in_frame(face.sides, use.orientation);
+    const Surface* surface = face.surface.get();
+    const Vec3 from = surface == nullptr ? origin : Vec3{};
+    const std::array<Points, 4> sides = sampled(topology, frame, from);
+    PatchNodes patch = surface == nullptr ? coons_patch(sides) : surface_patch(*surface, sides);
+    for (Vec3& p : patch.points) p -= origin - from;
+    return patch;
+}
+
 /// The axes' normal points out of the block on imax, jmin and kmax.
 double outward_sign(Side side) {
     return is_max(side) == (axis_of(side) != 1) ? 1 : -1;
@@ -138,9 +150,14 @@ std::string block_remedy(const Topology& topology, const Block& block, const Blo
                            corner_list(*corners, {4, 5, 6, 7, 0, 1, 2, 3}));
     }
     const auto name = [&](Side side) {
-        return quoted(topology.faces[static_cast<std::size_t>(block.side(side).face)].name);
+        std::vector<std::string> names;
+        for (const FaceUse& use : block.side(side).faces) {
+            names.push_back(topology.faces[static_cast<std::size_t>(use.face)].name);
+        }
+        return listed(names);
     };
-    const bool cut = block.side(Side::kmin).face == block.side(Side::kmax).face;
+    // To swap the two sides of a cut would change nothing.
+    const bool cut = name(Side::kmin) == name(Side::kmax);
     const Side low = cut ? Side::jmin : Side::kmin;
     const Side high = cut ? Side::jmax : Side::kmax;
     return fmt::format("swap its sides {} ({}) and {} ({})", side_name(low), name(low),
@@ -172,10 +189,12 @@ void check_block(const Network& network, std::size_t index, Diagnostics& diagnos
     const Block& block = topology.blocks[index];
     Points corners;
     for (const int corner : block.corners) corners.push_back(position(topology, corner));
-    for (const FaceUse& use : block.sides) {
-        for (const auto& side : network.face(use.face).sides) {
-            const Points points = sample_side(topology.edges, side, 8);
-            corners.insert(corners.end(), points.begin(), points.end());
+    for (const BlockSide& faces : block.sides) {
+        for (const FaceUse& use : faces.faces) {
+            for (const auto& side : network.face(use.face).sides) {
+                const Points points = sample_side(topology.edges, side, 8);
+                corners.insert(corners.end(), points.begin(), points.end());
+            }
         }
     }
     const double size = box_around(corners).diagonal();
@@ -213,15 +232,9 @@ double signed_volume(const Topology& topology, const Block& block) {
     const Vec3 origin = position(topology, block.corners[0]);
     double six = 0;
     for (const Side side : all_sides) {
-        const FaceUse& use = block.side(side);
-        const Face& face = topology.faces[static_cast<std::size_t>(use.face)];
-        const FrameSides frame = sides_in_frame(face.sides, use.orientation);
-        const Surface* surface = face.surface.get();
-        const Vec3 from = surface == nullptr ? origin : Vec3{};
-        const std::array<Points, 4> sides = sampled(topology, frame, from);
-        PatchNodes patch = surface == nullptr ? coons_patch(sides) : surface_patch(*surface, sides);
-        for (Vec3& p : patch.points) p -= origin - from;
-        six += outward_sign(side) * six_volumes(patch);
+        for (const FaceUse& use : block.side(side).faces) {
+            six += outward_sign(side) * six_volumes(sampled_patch(topology, use, origin));
+        }
     }
     return six / 6;
 }

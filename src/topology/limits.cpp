@@ -125,10 +125,10 @@ bool check_zone_sizes(const Topology& topology, Diagnostics& diagnostics) {
 double estimated_bytes(const Topology& topology, int threads) {
     // Three coordinates of 8 bytes, once in the grid and once in what is written and measured.
     constexpr double held = 24 * 2;
-    // What is held besides for a zone in flight: parameters, and the levels of the solver with their
-    // points, stencils and corrections. Measured, of a whole run less an empty one and with what is
-    // held: 225 bytes a node of a block of 1.6 million, 160 to 190 of a face. The last safeguards
-    // take two to three times as much; they are for hard shapes, not for large ones.
+    // What is held besides for a zone in flight: parameters, and the levels of the solver with
+    // their points, stencils and corrections. Measured, of a whole run less an empty one and with
+    // what is held: 225 bytes a node of a block of 1.6 million, 160 to 190 of a face. The last
+    // safeguards take two to three times as much; they are for hard shapes, not for large ones.
     constexpr double workspace = 210;
     std::vector<double> nodes;
     double all = 0;

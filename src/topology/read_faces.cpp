@@ -180,14 +180,8 @@ std::optional<std::array<int, 2>> read_axes(Reading& reading, const YamlNode& no
     return std::nullopt;
 }
 
-FaceUseEntry read_block_side(Reading& reading, const YamlNode& node, const std::string& what) {
+FaceUseEntry read_face_use(Reading& reading, const YamlNode& node, const std::string& what) {
     FaceUseEntry use{{{}, node.place}, {}};
-    if (node.is_sequence()) {
-        reading.diagnostics.error(node.place,
-                                  "a block side made of several faces is not in this version yet",
-                                  "split the block so that every side is one face");
-        return use;
-    }
     if (!node.is_mapping()) {
         use.face = read_name(reading, node, what);
         return use;
@@ -202,11 +196,58 @@ FaceUseEntry read_block_side(Reading& reading, const YamlNode& node, const std::
     return use;
 }
 
+/// Rows of a block's side, all of one length.
+BlockSideEntry read_rows(Reading& reading, const YamlNode& node, const std::string& what) {
+    BlockSideEntry side{
+        {}, static_cast<int>(node.children.front().children.size()), false, node.place};
+    for (const YamlNode& row : node.children) {
+        if (!row.is_sequence() || row.children.empty()) {
+            reading.diagnostics.error(
+                row.place,
+                fmt::format("a row of {} must be a list of faces, not {}", what, describe(row)),
+                "write a strip as [a, b], rows as [[a, b], [c, d]]");
+            return {{{{{}, node.place}, {}}}, 1, false, node.place};
+        }
+        if (row.children.size() != node.children.front().children.size()) {
+            reading.diagnostics.error(
+                row.place,
+                fmt::format("this row of {} has {} {}, but the first has {}", what,
+                            row.children.size(), row.children.size() == 1 ? "face" : "faces",
+                            node.children.front().children.size()),
+                "the faces of a side are a rectangle: as many in every row");
+            return {{{{{}, node.place}, {}}}, 1, false, node.place};
+        }
+        for (const YamlNode& face : row.children) {
+            side.faces.push_back(read_face_use(reading, face, fmt::format("a face of {}", what)));
+        }
+    }
+    return side;
+}
+
+/// A face, a strip of faces, or rows of them; never empty: what cannot be read is an empty name.
+BlockSideEntry read_block_side(Reading& reading, const YamlNode& node, const std::string& what) {
+    if (!node.is_sequence()) {
+        FaceUseEntry use = read_face_use(reading, node, what);
+        const Place place = use.face.place;
+        return {{std::move(use)}, 1, false, place};
+    }
+    if (node.children.empty()) {
+        reading.diagnostics.error(node.place, fmt::format("{} names no face", what));
+        return {{{{{}, node.place}, {}}}, 1, false, node.place};
+    }
+    if (node.children.front().is_sequence()) return read_rows(reading, node, what);
+    BlockSideEntry side{{}, static_cast<int>(node.children.size()), true, node.place};
+    for (const YamlNode& face : node.children) {
+        side.faces.push_back(read_face_use(reading, face, fmt::format("a face of {}", what)));
+    }
+    return side;
+}
+
 BlockEntry read_block(Reading& reading, const YamlNode& node) {
     const std::string what = fmt::format("block '{}'", shown(node.key));
     const Keys sides = keys_of_sides(6);
-    std::array<FaceUseEntry, 6> faces;
-    faces.fill({{{}, node.key_place}, {}});
+    std::array<BlockSideEntry, 6> faces;
+    faces.fill({{{{{}, node.key_place}, {}}}, 1, false, node.key_place});
     BlockEntry block{{node.key, node.key_place}, faces, {}};
 
     Keys keys = sides;

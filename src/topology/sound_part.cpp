@@ -50,8 +50,10 @@ Kept what_is_kept(const Draft& draft) {
         for (std::size_t b = 0; b < draft.blocks.size(); ++b) {
             kept.blocks[b] = draft.blocks[b].sound;
             if (!kept.blocks[b]) continue;
-            for (const FaceUse& use : draft.blocks[b].block.sides) {
-                kept.faces[static_cast<std::size_t>(use.face)] = true;
+            for (const BlockSide& side : draft.blocks[b].block.sides) {
+                for (const FaceUse& use : side.faces) {
+                    kept.faces[static_cast<std::size_t>(use.face)] = true;
+                }
             }
         }
     } else {
@@ -166,7 +168,9 @@ Network sound_part(Draft& draft) {
         if (!kept.blocks[n]) continue;
         Block block = draft.blocks[n].block;
         for (int& corner : block.corners) renumber(corner, vertices);
-        for (FaceUse& use : block.sides) renumber(use.face, faces);
+        for (BlockSide& side : block.sides) {
+            for (FaceUse& use : side.faces) renumber(use.face, faces);
+        }
         t.blocks.push_back(std::move(block));
         network.block_entries.push_back(draft.blocks[n].entry);
     }

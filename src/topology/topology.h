@@ -101,22 +101,35 @@ struct Face {
     Extent extent() const { return {cells_i + 1, cells_j + 1, 1}; }
 };
 
-/// A face as a side of a block: `orientation` takes the side's two tangential axes (ascending) to
-/// the face's (i, j).
+/// A face as a side of a block, or as a part of one: `orientation` takes the side's two tangential
+/// axes (ascending) to the face's (i, j); `begin` is the side's node where the face begins.
 struct FaceUse {
     int face = 0;
     Orientation orientation;
+    std::array<int, 2> begin{};
+};
+
+/// A side of a block: one face, or a rectangular arrangement of several, row by row. Rows run along
+/// the side's first tangential axis and follow each other along the second.
+struct BlockSide {
+    int columns = 1;  ///< faces in a row
+    std::vector<FaceUse> faces{1};
+
+    int rows() const { return static_cast<int>(faces.size()) / columns; }
+    const FaceUse& at(int column, int row) const {
+        return faces[static_cast<std::size_t>(column + row * columns)];
+    }
 };
 
 struct Block {
     std::string name;
     Place place;
-    std::array<FaceUse, 6> sides;
+    std::array<BlockSide, 6> sides;
     std::array<int, 8> corners{};  ///< vertices in the order of the CGNS hexahedron
     Extent extent;                 ///< nodes
     SolveRequest solve;
 
-    const FaceUse& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
+    const BlockSide& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
 };
 
 /// A named part of the boundary: edges in two dimensions, faces in three. `plane` for a symmetry

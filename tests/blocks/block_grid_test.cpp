@@ -46,7 +46,7 @@ void check_sides_are_faces(const Topology& topology, const std::vector<FaceGrid>
     for (std::size_t n = 0; n < blocks.size(); ++n) {
         const PointField& points = blocks[n].points;
         for (const Side side : all_sides) {
-            const FaceUse& use = topology.blocks[n].side(side);
+            const FaceUse& use = topology.blocks[n].side(side).at(0, 0);
             const PointField& face = faces[static_cast<std::size_t>(use.face)].points;
             const IndexBox box = side_box(side, points.extent());
             const auto axes = tangential_axes(side);
@@ -157,7 +157,8 @@ TEST_CASE("an affine image of a product grid is a fixed point of the elliptic sy
             for (int i = 0; i <= 8; ++i) {
                 const Vec3 exact =
                     built.shape({built.law(i / 8.0), built.law(j / 8.0), built.law(k / 8.0)});
-                // The first residuals are in single precision: 1e-7 is a hundred-thousandth of a cell.
+                // The first residuals are in single precision: 1e-7 is a hundred-thousandth of a
+                // cell.
                 CHECK(distance(points(i, j, k), exact) < 1e-7);
             }
         }
@@ -212,7 +213,7 @@ TEST_CASE("folded cells of an algebraic block are counted") {
     CHECK(make_blocks(built.topology, faces)[0].solve.folded_after == 0);
     // A side drawn deep into the block.
     PointField& side =
-        faces[static_cast<std::size_t>(built.topology.blocks[0].sides[4].face)].points;
+        faces[static_cast<std::size_t>(built.topology.blocks[0].sides[4].faces[0].face)].points;
     side.set(5, 5, 0, side(5, 5) + Vec3{0, 0, 3});
     const BlockGrid folded = make_blocks(built.topology, faces)[0];
     CHECK(folded.solve.status == SolveStatus::algebraic);

@@ -127,7 +127,8 @@ struct HandBuilt {
             const auto axes = tangential_axes(side);
             const int used =
                 quadrilateral(vertices, cells_ijk[at(axes[0])], cells_ijk[at(axes[1])]);
-            made.sides[n] = {used, orientation_of(vertices, topology.faces[at(used)].corners)};
+            made.sides[n].faces = {
+                {used, orientation_of(vertices, topology.faces[at(used)].corners)}};
         }
         topology.blocks.push_back(made);
         topology.planar = false;
@@ -178,7 +179,9 @@ private:
         int count = 0;
         if (topology.is_3d()) {
             for (const Block& b : topology.blocks) {
-                for (const FaceUse& use : b.sides) count += use.face == entity;
+                for (const BlockSide& side : b.sides) {
+                    for (const FaceUse& use : side.faces) count += use.face == entity;
+                }
             }
         } else {
             for (const Face& f : topology.faces) {

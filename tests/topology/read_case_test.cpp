@@ -165,7 +165,7 @@ TEST_CASE("sides take one edge or several, signs, and axes") {
     CHECK(sides[2][0].sign_given);
     CHECK_FALSE(sides[2][0].reversed);
     CHECK(sides[3][0].value == "e5");
-    CHECK(std::get<0>(read.c.blocks[0].shape)[1].axes == std::array{-2, 1});
+    CHECK(std::get<0>(read.c.blocks[0].shape)[1].faces[0].axes == std::array{-2, 1});
 }
 
 TEST_CASE("an override replaces a parameter before its dependents are computed") {

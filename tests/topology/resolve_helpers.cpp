@@ -49,13 +49,17 @@ int vertex_at(const Face& f, const Node& node) {
 
 std::string broken_block(const Topology& t, const Block& b) {
     for (const Side side : all_sides) {
-        const FaceUse& use = b.side(side);
-        const Face& face = t.faces[static_cast<std::size_t>(use.face)];
+        const BlockSide& faces = b.side(side);
         const auto axes = tangential_axes(side);
-        const Extent own{b.extent[axes[0]], b.extent[axes[1]], 1};
-        if (!(own_extent(use.orientation, face.extent()) == own)) return "extent of a side";
         for (const int u : {0, 1}) {
             for (const int v : {0, 1}) {
+                const FaceUse& use = faces.at(u * (faces.columns - 1), v * (faces.rows() - 1));
+                const Face& face = t.faces[static_cast<std::size_t>(use.face)];
+                const Extent own = own_extent(use.orientation, face.extent());
+                if (u == 0 && use.begin[0] != 0) return "begin of a side";
+                if (v == 0 && use.begin[1] != 0) return "begin of a side";
+                if (u == 1 && use.begin[0] + own.ni != b.extent[axes[0]]) return "end of a side";
+                if (v == 1 && use.begin[1] + own.nj != b.extent[axes[1]]) return "end of a side";
                 std::array<int, 3> corner{};
                 corner[static_cast<std::size_t>(axis_of(side))] = is_max(side) ? 1 : 0;
                 corner[static_cast<std::size_t>(axes[0])] = u;

@@ -33,9 +33,11 @@ std::vector<std::string> told(const Topology& t) {
     for (const Block& b : t.blocks) {
         std::string line = fmt::format("block {} {} {}x{}x{}", b.name, corner_text(t, b.corners),
                                        b.extent.ni, b.extent.nj, b.extent.nk);
-        for (const FaceUse& use : b.sides) {
-            line += fmt::format(" {} {}", t.faces[static_cast<std::size_t>(use.face)].name,
-                                to_string(use.orientation, 2));
+        for (const BlockSide& side : b.sides) {
+            for (const FaceUse& use : side.faces) {
+                line += fmt::format(" {} {}", t.faces[static_cast<std::size_t>(use.face)].name,
+                                    to_string(use.orientation, 2));
+            }
         }
         lines.push_back(line);
     }
