@@ -193,7 +193,8 @@ struct Row {
 template <class Real, std::size_t axes, std::size_t components, Assembly wanted, RightHandSide side>
 HEXWEAVE_VECTORIZED void assemble_segment(const Row& row, const RowSegment& segment,
                                           Reach in_points, Reach in_parameters, double scale) {
-    constexpr std::ptrdiff_t planes = axes == 3 ? 3 : 1;
+    using Layout = StencilLayout<static_cast<int>(axes)>;
+    constexpr std::size_t planes = Layout::first - Layout::mixed;
     const double* const points = row.points;
     const double* const parameters = row.parameters;
     const std::ptrdiff_t length = row.length;
@@ -221,16 +222,16 @@ HEXWEAVE_VECTORIZED void assemble_segment(const Row& row, const RowSegment& segm
             static_cast<Real>(scale) * centre / (determinant > 0 ? determinant : Real(1));
         const Real safe_weight = weight > 0 ? weight : Real(1);
         if constexpr (wanted == Assembly::residuals_and_stencils) {
+            float* const second = stencils + Layout::second * length + p;
+            float* const mixed = stencils + Layout::mixed * length + p;
+            float* const first = stencils + Layout::first * length + p;
             unrolled<axes>([&](std::size_t n) __attribute__((always_inline)) {
-                const auto at = static_cast<std::ptrdiff_t>(n) * length + p;
-                stencils[at] = static_cast<float>(c.second[n]);
-                stencils[at + (static_cast<std::ptrdiff_t>(axes) + planes) * length] =
-                    static_cast<float>(c.first[n]);
+                const auto offset = static_cast<std::ptrdiff_t>(n) * length;
+                second[offset] = static_cast<float>(c.second[n]);
+                first[offset] = static_cast<float>(c.first[n]);
             });
-            unrolled<static_cast<std::size_t>(planes)>([&](
-                std::size_t n) __attribute__((always_inline)) {
-                stencils[static_cast<std::ptrdiff_t>(axes + n) * length + p] =
-                    static_cast<float>(c.mixed[n]);
+            unrolled<planes>([&](std::size_t n) __attribute__((always_inline)) {
+                mixed[static_cast<std::ptrdiff_t>(n) * length] = static_cast<float>(c.mixed[n]);
             });
         }
         weights[p] = static_cast<float>(weight);
@@ -295,7 +296,8 @@ void assemble_rows(Level& level, double scale) {
                         scale);
                 }
                 if constexpr (wanted == Assembly::residuals_and_stencils) {
-                    clear_ends(level.shape, row.stencils, axes == 3 ? 9 : 5);
+                    clear_ends(level.shape, row.stencils,
+                               StencilLayout<static_cast<int>(axes)>::size);
                 }
                 clear_ends(level.shape, row.weights, 1);
                 clear_ends(level.shape, row.residuals, components);

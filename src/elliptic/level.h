@@ -102,6 +102,16 @@ void for_coarse_nodes(const RowShape& finer, const RowShape& coarse, bool halved
     visit(finer.at(finer.nodes() - 1), coarse.at(last));
 }
 
+/// Where a node's numbers of the operator stand in Level::stencils, in the order of Stencil's
+/// members: second[axis], mixed[plane], first[axis].
+template <int axes>
+struct StencilLayout {
+    static constexpr int second = 0;
+    static constexpr int mixed = axes;
+    static constexpr int first = mixed + (axes == 3 ? 3 : 1);
+    static constexpr int size = first + axes;
+};
+
 struct Level {
     Extent extent;
     int axes = 3;        ///< 2 for a face

@@ -19,7 +19,7 @@ constexpr int strip_rows = 2;
 constexpr int cost_of_node = 10;
 
 /// One colour's nodes of one row: pointers to the first of them, and how to reach the others.
-struct Nodes {
+struct ColourRow {
     const float* stencils;
     const float* residuals;
     float* corrections;
@@ -31,7 +31,7 @@ struct Nodes {
     int count;
 };
 
-Nodes nodes_of_row(Level& level, const RowSegment& segment, int j, int k) {
+ColourRow colour_row(Level& level, const RowSegment& segment, int j, int k) {
     return {level.stencils.row(j, k) + segment.first,
             level.residuals.row(j, k) + segment.first,
             level.corrections.row(j, k) + segment.first,
@@ -47,9 +47,9 @@ Nodes nodes_of_row(Level& level, const RowSegment& segment, int j, int k) {
 /// whose stencil numbers start at c (each `length` after the last).
 template <int axes, int axis>
 [[gnu::always_inline]] inline Lanes off_line_part(const float* c, std::ptrdiff_t length,
-                                                  const float* v, const Nodes& d) {
-    constexpr int mixed = axes;
-    constexpr int first = axes == 3 ? 6 : 3;
+                                                  const float* v, const ColourRow& d) {
+    constexpr int mixed = StencilLayout<axes>::mixed;
+    constexpr int first = StencilLayout<axes>::first;
     const auto stencil = [=](int n) __attribute__((always_inline)) {
         return lanes_at(c + n * length);
     };
@@ -68,10 +68,10 @@ template <int axes, int axis>
     }
     if constexpr (axes == 3) {
         const std::ptrdiff_t k = d.stride_k;
-        sum += stencil(4) * ((at(n + k) - at(n - k)) - (at(p + k) - at(p - k)));
-        sum += stencil(5) * ((at(j + k) - at(j - k)) - (at(k - j) - at(-j - k)));
+        sum += stencil(mixed + 1) * ((at(n + k) - at(n - k)) - (at(p + k) - at(p - k)));
+        sum += stencil(mixed + 2) * ((at(j + k) - at(j - k)) - (at(k - j) - at(-j - k)));
         if constexpr (axis != 2) {
-            sum += stencil(2) * (at(k) + at(-k)) + stencil(8) * (at(k) - at(-k));
+            sum += stencil(2) * (at(k) + at(-k)) + stencil(first + 2) * (at(k) - at(-k));
         }
     }
     return sum;
@@ -80,10 +80,10 @@ template <int axes, int axis>
 /// One step of the elimination along a line that crosses rows: d <- (l d- - rhs) / (1 - l u-) in
 /// place of the corrections, and the upper factor u / (1 - l u-). `back` leads to the node before.
 template <int axes, int components, int axis>
-HEXWEAVE_VECTORIZED void eliminate_across(const Nodes& row, std::ptrdiff_t back,
+HEXWEAVE_VECTORIZED void eliminate_across(const ColourRow& row, std::ptrdiff_t back,
                                           const float* upper_before, float* upper) {
-    constexpr int first = axes == 3 ? 6 : 3;
-    const Nodes d = row;
+    constexpr int first = StencilLayout<axes>::first;
+    const ColourRow d = row;
     for (int m = 0; m < d.count; m += lane_count) {
         const float* const c = d.stencils + m;
         const Lanes second = lanes_at(c + axis * d.length);
@@ -101,7 +101,7 @@ HEXWEAVE_VECTORIZED void eliminate_across(const Nodes& row, std::ptrdiff_t back,
 }
 
 template <int components>
-HEXWEAVE_VECTORIZED void substitute_across(const Nodes& row, std::ptrdiff_t ahead,
+HEXWEAVE_VECTORIZED void substitute_across(const ColourRow& row, std::ptrdiff_t ahead,
                                            const float* upper) {
     for (int m = 0; m < row.count; m += lane_count) {
         for (std::ptrdiff_t n = 0; n < components; ++n) {
@@ -120,12 +120,12 @@ void relax_rows(Level& level, const RowSegment& segment, int k) {
         static_cast<std::size_t>(nodes) * static_cast<std::size_t>(segment.count), 0.0F);
     for (int j = 1; j < nodes - 1; ++j) {
         float* const own = upper.data() + static_cast<std::ptrdiff_t>(j) * segment.count;
-        eliminate_across<axes, components, 1>(nodes_of_row(level, segment, j, k), stride,
+        eliminate_across<axes, components, 1>(colour_row(level, segment, j, k), stride,
                                               own - segment.count, own);
     }
     for (int j = nodes - 3; j > 0; --j) {
         substitute_across<components>(
-            nodes_of_row(level, segment, j, k), stride,
+            colour_row(level, segment, j, k), stride,
             upper.data() + static_cast<std::ptrdiff_t>(j) * segment.count);
     }
 }
@@ -161,9 +161,9 @@ struct TransposedLines {
 };
 
 template <int axes, int components>
-HEXWEAVE_VECTORIZED void right_hand_side_along(const Nodes& nodes, float* scratch) {
-    constexpr int first = axes == 3 ? 6 : 3;
-    const Nodes d = nodes;
+HEXWEAVE_VECTORIZED void right_hand_side_along(const ColourRow& nodes, float* scratch) {
+    constexpr int first = StencilLayout<axes>::first;
+    const ColourRow d = nodes;
     for (int m = 0; m < d.count; m += lane_count) {
         const float* const c = d.stencils + m;
         const Lanes second = lanes_at(c);
@@ -211,7 +211,7 @@ void relax_along(Level& level, int j, int lanes, int k, TransposedLines& t) {
     for (int lane = 0; lane < lanes; ++lane) {
         float* const scratch = t.row.data();
         for (const RowSegment& segment : segments) {
-            right_hand_side_along<axes, components>(nodes_of_row(level, segment, j + 2 * lane, k),
+            right_hand_side_along<axes, components>(colour_row(level, segment, j + 2 * lane, k),
                                                     scratch + segment.first);
         }
         for (int i = 1; i < ni - 1; ++i) {
@@ -289,14 +289,14 @@ void relax_columns(Level& level, const RowSegment& segment, int first, int count
         for (int n = 0; n < count; ++n) {
             float* const own =
                 upper.data() + k * layer + static_cast<std::ptrdiff_t>(n) * segment.count;
-            eliminate_across<3, components, 2>(nodes_of_row(level, segment, first + 2 * n, k),
-                                               stride, own - layer, own);
+            eliminate_across<3, components, 2>(colour_row(level, segment, first + 2 * n, k), stride,
+                                               own - layer, own);
         }
     }
     for (int k = nodes - 3; k > 0; --k) {
         for (int n = 0; n < count; ++n) {
             substitute_across<components>(
-                nodes_of_row(level, segment, first + 2 * n, k), stride,
+                colour_row(level, segment, first + 2 * n, k), stride,
                 upper.data() + k * layer + static_cast<std::ptrdiff_t>(n) * segment.count);
         }
     }

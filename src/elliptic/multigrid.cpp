@@ -67,7 +67,8 @@ Level finest_level(const PointField& points, ParameterField&& parameters) {
 }
 
 void allocate_work(Level& level, bool is_finest) {
-    level.stencils = RowArray<float>(level.extent, level.axes == 3 ? 9 : 5);
+    level.stencils = RowArray<float>(
+        level.extent, level.axes == 3 ? StencilLayout<3>::size : StencilLayout<2>::size);
     level.weights = RowArray<float>(level.extent, 1);
     level.residuals = RowArray<float>(level.extent, level.components);
     level.corrections = RowArray<float>(level.extent, level.components);
