@@ -264,6 +264,27 @@ void clear_ends(const RowShape& shape, float* row, int components) {
     }
 }
 
+template <bool written, class T>
+void prefetch(const T* p, std::ptrdiff_t count) {
+    constexpr std::ptrdiff_t per_cache_line = 64 / sizeof(T);
+    for (std::ptrdiff_t n = 0; n < count; n += per_cache_line) {
+        __builtin_prefetch(p + n, written ? 1 : 0);
+    }
+}
+
+/// Asks for what row j of the next layer will read and write that this one does not.
+void prefetch_next_layer(Level& level, Assembly wanted, int j, int k) {
+    if (k + 2 >= level.extent.nk) return;
+    const std::ptrdiff_t length = level.shape.length();
+    prefetch<false>(level.points.row(j, k + 2), 3 * length);
+    prefetch<false>(level.parameters.row(j, k + 2), 3 * length);
+    if (wanted == Assembly::residuals_and_stencils) {
+        prefetch<true>(level.stencils.row(j, k + 1), StencilLayout<3>::size * length);
+    }
+    prefetch<true>(level.residuals.row(j, k + 1), 3 * length);
+    prefetch<true>(level.weights.row(j, k + 1), length);
+}
+
 template <class Real, std::size_t axes, std::size_t components, Assembly wanted, RightHandSide side>
 void assemble_rows(Level& level, double scale) {
     const Extent& e = level.extent;
@@ -278,6 +299,7 @@ void assemble_rows(Level& level, double scale) {
             const int first = 1 + n / layers * strip_rows;
             const int last = std::min(first + strip_rows, e.nj - 1);
             for (int j = first; j < last; ++j) {
+                if constexpr (axes == 3) prefetch_next_layer(level, wanted, j, k);
                 const Row row{
                     level.points.row(j, k),
                     level.parameters.row(j, k),

@@ -56,25 +56,49 @@ template <int axes, int axis>
     const auto at = [=](std::ptrdiff_t offset) __attribute__((always_inline)) {
         return lanes_at(v + offset);
     };
-    const std::ptrdiff_t p = d.previous;
-    const std::ptrdiff_t n = d.next;
+    const float* const before = unrelated(v + d.previous);
+    const auto at_previous = [=](std::ptrdiff_t offset) __attribute__((always_inline)) {
+        return lanes_at(before + offset);
+    };
+    const auto at_next = [=](std::ptrdiff_t offset) __attribute__((always_inline)) {
+        return lanes_at(before + offset + 1);
+    };
     const std::ptrdiff_t j = d.stride_j;
-    Lanes sum = stencil(mixed) * ((at(n + j) - at(n - j)) - (at(p + j) - at(p - j)));
+    Lanes sum = stencil(mixed) * ((at_next(j) - at_next(-j)) - (at_previous(j) - at_previous(-j)));
     if constexpr (axis != 0) {
-        sum += stencil(0) * (at(n) + at(p)) + stencil(first) * (at(n) - at(p));
+        sum += stencil(0) * (at_next(0) + at_previous(0)) +
+               stencil(first) * (at_next(0) - at_previous(0));
     }
     if constexpr (axis != 1) {
         sum += stencil(1) * (at(j) + at(-j)) + stencil(first + 1) * (at(j) - at(-j));
     }
     if constexpr (axes == 3) {
         const std::ptrdiff_t k = d.stride_k;
-        sum += stencil(mixed + 1) * ((at(n + k) - at(n - k)) - (at(p + k) - at(p - k)));
+        sum +=
+            stencil(mixed + 1) * ((at_next(k) - at_next(-k)) - (at_previous(k) - at_previous(-k)));
         sum += stencil(mixed + 2) * ((at(j + k) - at(j - k)) - (at(k - j) - at(-j - k)));
         if constexpr (axis != 2) {
             sum += stencil(2) * (at(k) + at(-k)) + stencil(first + 2) * (at(k) - at(-k));
         }
     }
     return sum;
+}
+
+/// Asks for what the elimination in the next layer will read around node m, once per cache line:
+/// rows of one colour are too short for the machine to see them coming.
+[[gnu::always_inline]] inline void prefetch_next_layer(const ColourRow& d, int m) {
+    constexpr int floats_per_cache_line = 16;
+    if (m % floats_per_cache_line != 0) return;
+    const std::ptrdiff_t stencils_stride_k = d.stride_k / 3 * StencilLayout<3>::size;
+    for (std::ptrdiff_t n = 0; n < StencilLayout<3>::size; ++n) {
+        __builtin_prefetch(d.stencils + m + n * d.length + stencils_stride_k);
+    }
+    for (std::ptrdiff_t n = 0; n < 3; ++n) {
+        __builtin_prefetch(d.residuals + m + n * d.length + d.stride_k);
+        const float* const ahead = d.corrections + m + n * d.length + 2 * d.stride_k;
+        __builtin_prefetch(ahead);
+        __builtin_prefetch(ahead + d.stride_j);
+    }
 }
 
 /// One step of the elimination along a line that crosses rows: d <- (l d- - rhs) / (1 - l u-) in
@@ -85,13 +109,14 @@ HEXWEAVE_VECTORIZED void eliminate_across(const ColourRow& row, std::ptrdiff_t b
     constexpr int first = StencilLayout<axes>::first;
     const ColourRow d = row;
     for (int m = 0; m < d.count; m += lane_count) {
-        const float* const c = d.stencils + m;
+        if constexpr (axis == 2) prefetch_next_layer(d, m);
+        const float* const c = unrelated(d.stencils + m);
         const Lanes second = lanes_at(c + axis * d.length);
         const Lanes slope = lanes_at(c + (first + axis) * d.length);
         const Lanes below = second - slope;
         const Lanes inverse = 1.0F / (1.0F - below * lanes_at(upper_before + m));
         for (std::ptrdiff_t n = 0; n < components; ++n) {
-            float* const v = d.corrections + n * d.length + m;
+            float* const v = unrelated(d.corrections + n * d.length + m);
             const Lanes right = lanes_at(d.residuals + n * d.length + m) -
                                 off_line_part<axes, axis>(c, d.length, v, d);
             lanes_at(v) = (below * lanes_at(v - back) - right) * inverse;
@@ -144,19 +169,29 @@ void relax_layer_across(Level& level, int k) {
     }
 }
 
-/// What the elimination of lines along i needs, transposed: [node][lane].
-struct TransposedLines {
-    std::vector<float> below;
-    std::vector<float> upper;
-    std::array<std::vector<float>, 3> values;
-    std::vector<float> row;  ///< scratch: below, upper and right hand sides of one row, as stored
+/// Rows that are transposed together.
+constexpr int group_rows = lane_count / 2;
 
-    explicit TransposedLines(const RowShape& shape) {
-        const std::size_t size = static_cast<std::size_t>(shape.nodes()) * lane_count;
-        below.assign(size, 0.0F);
-        upper.assign(size, 0.0F);
-        for (auto& v : values) v.assign(size, 0.0F);
-        row.assign(static_cast<std::size_t>(shape.length()) * 5, 0.0F);
+/// What the elimination of lines along i needs: below, upper and the right hand sides, `numbers` of
+/// them, of one batch of lines as [number][node][lane], and of a group of rows as they are stored.
+struct TransposedLines {
+    static constexpr int numbers = 5;
+
+    std::vector<float> lines;
+    std::vector<float> rows;
+    std::ptrdiff_t size;    ///< of one number in `lines`
+    std::ptrdiff_t length;  ///< of one number of one row in `rows`
+
+    explicit TransposedLines(const RowShape& shape)
+        : size(2 * lane_count * std::max(shape.segments()[0].count, shape.segments()[1].count)),
+          length(shape.length()) {
+        lines.assign(static_cast<std::size_t>(size * numbers), 0.0F);
+        rows.assign(static_cast<std::size_t>(length * numbers * group_rows), 0.0F);
+    }
+
+    float* line(std::ptrdiff_t number) { return lines.data() + number * size; }
+    float* row(std::ptrdiff_t row, std::ptrdiff_t number) {
+        return rows.data() + (row * numbers + number) * length;
     }
 };
 
@@ -165,7 +200,7 @@ HEXWEAVE_VECTORIZED void right_hand_side_along(const ColourRow& nodes, float* sc
     constexpr int first = StencilLayout<axes>::first;
     const ColourRow d = nodes;
     for (int m = 0; m < d.count; m += lane_count) {
-        const float* const c = d.stencils + m;
+        const float* const c = unrelated(d.stencils + m);
         const Lanes second = lanes_at(c);
         const Lanes slope = lanes_at(c + first * d.length);
         lanes_at(scratch + m) = second - slope;
@@ -173,31 +208,67 @@ HEXWEAVE_VECTORIZED void right_hand_side_along(const ColourRow& nodes, float* sc
         for (std::ptrdiff_t n = 0; n < components; ++n) {
             lanes_at(scratch + (2 + n) * d.length + m) =
                 lanes_at(d.residuals + n * d.length + m) -
-                off_line_part<axes, 0>(c, d.length, d.corrections + n * d.length + m, d);
+                off_line_part<axes, 0>(c, d.length, unrelated(d.corrections + n * d.length + m), d);
         }
     }
 }
 
 template <int components>
 HEXWEAVE_VECTORIZED void solve_along(int ni, TransposedLines& t) {
+    float* const lower = t.line(0);
+    float* const upper = t.line(1);
     for (std::ptrdiff_t i = 1; i < ni - 1; ++i) {
         const std::ptrdiff_t here = i * lane_count;
-        const std::ptrdiff_t before = here - lane_count;
-        const Lanes below = lanes_at(t.below.data() + here);
-        Lanes& upper = lanes_at(t.upper.data() + here);
-        const Lanes inverse = 1.0F / (1.0F - below * lanes_at(t.upper.data() + before));
-        for (std::size_t n = 0; n < components; ++n) {
-            Lanes& v = lanes_at(t.values[n].data() + here);
-            v = (below * lanes_at(t.values[n].data() + before) - v) * inverse;
+        const Lanes below = lanes_at(lower + here);
+        const Lanes inverse = 1.0F / (1.0F - below * lanes_at(upper + here - lane_count));
+        for (std::ptrdiff_t n = 0; n < components; ++n) {
+            float* const v = t.line(2 + n) + here;
+            lanes_at(v) = (below * lanes_at(v - lane_count) - lanes_at(v)) * inverse;
         }
-        upper *= inverse;
+        lanes_at(upper + here) *= inverse;
     }
     for (std::ptrdiff_t i = ni - 3; i > 0; --i) {
         const std::ptrdiff_t here = i * lane_count;
-        const Lanes upper = lanes_at(t.upper.data() + here);
-        for (std::size_t n = 0; n < components; ++n) {
-            lanes_at(t.values[n].data() + here) +=
-                upper * lanes_at(t.values[n].data() + here + lane_count);
+        for (std::ptrdiff_t n = 0; n < components; ++n) {
+            float* const v = t.line(2 + n) + here;
+            lanes_at(v) += lanes_at(upper + here) * lanes_at(v + lane_count);
+        }
+    }
+}
+
+/// The rows of a group, each `stride` after the one before, become the lanes from `lane` on.
+template <int numbers>
+HEXWEAVE_VECTORIZED void rows_to_lines(const RowShape& shape, int lane, TransposedLines& t) {
+    const auto segments = shape.segments();
+    for (int parity = 0; parity < 2; ++parity) {
+        const RowSegment segment = segments[static_cast<std::size_t>(parity)];
+        for (int number = 0; number < numbers; ++number) {
+            for (int m = 0; m < segment.count; m += group_rows) {
+                const std::ptrdiff_t from = segment.first + m;
+                float* const to = t.line(number) + (2 * m + parity) * lane_count + lane;
+                transpose({t.row(0, number) + from, t.row(1, number) + from,
+                           t.row(2, number) + from, t.row(3, number) + from},
+                          {to, to + 2 * lane_count, to + 4 * lane_count, to + 6 * lane_count});
+            }
+        }
+    }
+}
+
+/// And back, the solution alone.
+template <int components>
+HEXWEAVE_VECTORIZED void lines_to_rows(const RowShape& shape, int lane, TransposedLines& t) {
+    const auto segments = shape.segments();
+    for (int parity = 0; parity < 2; ++parity) {
+        const RowSegment segment = segments[static_cast<std::size_t>(parity)];
+        for (int number = 2; number < 2 + components; ++number) {
+            for (int m = 0; m < segment.count; m += group_rows) {
+                const std::ptrdiff_t to = segment.first + m;
+                const float* const from = t.line(number) + (2 * m + parity) * lane_count + lane;
+                transpose(
+                    {from, from + 2 * lane_count, from + 4 * lane_count, from + 6 * lane_count},
+                    {t.row(0, number) + to, t.row(1, number) + to, t.row(2, number) + to,
+                     t.row(3, number) + to});
+            }
         }
     }
 }
@@ -205,34 +276,24 @@ HEXWEAVE_VECTORIZED void solve_along(int ni, TransposedLines& t) {
 /// Lines along i through the rows j, j + 2, .. j + 2 (lanes - 1) of layer k.
 template <int axes, int components>
 void relax_along(Level& level, int j, int lanes, int k, TransposedLines& t) {
-    const int ni = level.extent.ni;
-    const std::ptrdiff_t length = level.shape.length();
     const auto segments = level.shape.segments();
-    for (int lane = 0; lane < lanes; ++lane) {
-        float* const scratch = t.row.data();
-        for (const RowSegment& segment : segments) {
-            right_hand_side_along<axes, components>(colour_row(level, segment, j + 2 * lane, k),
-                                                    scratch + segment.first);
-        }
-        for (int i = 1; i < ni - 1; ++i) {
-            const std::size_t to = static_cast<std::size_t>(i * lane_count + lane);
-            const float* const from = scratch + level.shape.at(i);
-            t.below[to] = from[0];
-            t.upper[to] = from[length];
-            for (std::size_t n = 0; n < components; ++n) {
-                t.values[n][to] = from[(2 + static_cast<std::ptrdiff_t>(n)) * length];
+    for (int first = 0; first < lanes; first += group_rows) {
+        for (int lane = first; lane < std::min(first + group_rows, lanes); ++lane) {
+            for (const RowSegment& segment : segments) {
+                right_hand_side_along<axes, components>(colour_row(level, segment, j + 2 * lane, k),
+                                                        t.row(lane - first, 0) + segment.first);
             }
         }
+        rows_to_lines<2 + components>(level.shape, first, t);
     }
-    solve_along<components>(ni, t);
-    for (int lane = 0; lane < lanes; ++lane) {
-        float* const row = level.corrections.row(j + 2 * lane, k);
-        for (int i = 1; i < ni - 1; ++i) {
-            const std::size_t from = static_cast<std::size_t>(i * lane_count + lane);
-            float* const to = row + level.shape.at(i);
-            for (std::size_t n = 0; n < components; ++n) {
-                to[static_cast<std::ptrdiff_t>(n) * length] = t.values[n][from];
-            }
+    solve_along<components>(level.extent.ni, t);
+    const std::ptrdiff_t length = level.shape.length();
+    for (int first = 0; first < lanes; first += group_rows) {
+        lines_to_rows<components>(level.shape, first, t);
+        for (int lane = first; lane < std::min(first + group_rows, lanes); ++lane) {
+            const float* const solution = t.row(lane - first, 2);
+            std::copy(solution, solution + components * length,
+                      level.corrections.row(j + 2 * lane, k));
         }
     }
 }
