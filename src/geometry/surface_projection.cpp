@@ -29,17 +29,16 @@ struct Step {
 /// vanishes at the solution itself.
 class Descent {
 public:
-    Descent(const Surface& surface, const Vec3& target, const SurfaceParameters& start)
-        : surface_(surface), target_(target), at_(start) {
+    Descent(const Surface& surface, double size, const Vec3& target, const SurfaceParameters& start)
+        : surface_(surface), noise_(1e-15 * size), target_(target), at_(start) {
         look();
     }
 
-    SurfacePoint run(double size) {
+    SurfacePoint run() {
         constexpr int most_steps = 200;
-        constexpr double still = 1e-15;  // sizes of the surface
         for (int n = 0; n < most_steps && damping_ < 1e12; ++n) {
             const double moved = advance();
-            if (distance_ == 0 || moved <= still * size) break;
+            if (distance_ == 0 || moved <= noise_) break;
         }
         return {at_, position_, distance_};
     }
@@ -85,6 +84,23 @@ private:
         return closed ? to : std::clamp(to, range[0], range[1]);
     }
 
+    /// Half the rate at which the squared distance falls along the parameters that may move: it
+    /// still tells one point from the next where their distances are the same to rounding.
+    double slope() const {
+        const Vec3 off = target_ - position_;
+        const double u = dot(along_u_, off);
+        const double v = dot(along_v_, off);
+        const bool stay_u = is_held(at_.u, u, surface_.range_u, surface_.closed_u);
+        const bool stay_v = is_held(at_.v, v, surface_.range_v, surface_.closed_v);
+        return std::hypot(stay_u ? 0 : u, stay_v ? 0 : v);
+    }
+
+    /// Whether this is nearer than `before`, or as near to rounding and better placed.
+    bool is_better_than(const Descent& before) const {
+        if (distance_ < before.distance_ - noise_) return true;
+        return distance_ <= before.distance_ + noise_ && slope() < before.slope();
+    }
+
     /// One step; returns how far it moved the point. Uphill steps are not taken, and the next one
     /// is damped more.
     double advance() {
@@ -95,7 +111,7 @@ private:
         const double moved = norm((at_.u - before.at_.u) / width(surface_.range_u) * along_u_ +
                                   (at_.v - before.at_.v) / width(surface_.range_v) * along_v_);
         look();
-        if (distance_ < before.distance_) {
+        if (is_better_than(before)) {
             damping_ = damping_ > 1e-9 ? 0.1 * damping_ : 0;
             return moved;
         }
@@ -109,6 +125,7 @@ private:
     }
 
     const Surface& surface_;
+    double noise_;  ///< of distances
     Vec3 target_;
     SurfaceParameters at_;
     Vec3 position_;
@@ -119,13 +136,19 @@ private:
 };
 
 /// The value that differs from `parameter` by whole periods and is nearest to `reference`.
-double continued(double parameter, double reference, const std::array<double, 2>& range,
-                 bool closed) {
+double continued_along(double parameter, double reference, const std::array<double, 2>& range,
+                       bool closed) {
     if (!closed) return parameter;
     return parameter + std::round((reference - parameter) / width(range)) * width(range);
 }
 
 }  // namespace
+
+SurfaceParameters continued(const Surface& surface, const SurfaceParameters& at,
+                            const SurfaceParameters& reference) {
+    return {continued_along(at.u, reference.u, surface.range_u, surface.closed_u),
+            continued_along(at.v, reference.v, surface.range_v, surface.closed_v)};
+}
 
 SurfaceProjection::SurfaceProjection(Surface surface) : surface_(std::move(surface)) {
     for (int j = 0; j <= intervals_; ++j) {
@@ -139,6 +162,7 @@ SurfaceProjection::SurfaceProjection(Surface surface) : surface_(std::move(surfa
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
+    box_ = {low, high};
     size_ = distance(low, high);
 }
 
@@ -150,7 +174,7 @@ SurfaceParameters SurfaceProjection::net_parameters(int i, int j) const {
 }
 
 SurfacePoint SurfaceProjection::nearest_from(const Vec3& p, const SurfaceParameters& start) const {
-    return Descent(surface_, p, start).run(size_);
+    return Descent(surface_, size_, p, start).run();
 }
 
 SurfacePoint SurfaceProjection::nearest(const Vec3& p) const {
@@ -194,10 +218,29 @@ SurfacePoint SurfaceProjection::nearest(const Vec3& p) const {
     }
     const double middle_u = 0.5 * (surface_.range_u[0] + surface_.range_u[1]);
     const double middle_v = 0.5 * (surface_.range_v[0] + surface_.range_v[1]);
-    SurfaceParameters& found = best.parameters;
-    found.u = continued(found.u, middle_u, surface_.range_u, surface_.closed_u);
-    found.v = continued(found.v, middle_v, surface_.range_v, surface_.closed_v);
+    best.parameters = continued(surface_, best.parameters, {middle_u, middle_v});
     return best;
+}
+
+SurfaceParameters SurfaceProjection::nearest_sample(const Vec3& p) const {
+    constexpr double inside = 0.25 / intervals_;
+    std::size_t nearest = 0;
+    double least = INFINITY;
+    for (std::size_t n = 0; n < samples_.size(); ++n) {
+        const Vec3 off = samples_[n] - p;
+        const double square = dot(off, off);
+        if (square >= least) continue;
+        least = square;
+        nearest = n;
+    }
+    constexpr auto columns = static_cast<std::size_t>(intervals_) + 1;
+    const SurfaceParameters at =
+        net_parameters(static_cast<int>(nearest % columns), static_cast<int>(nearest / columns));
+    const auto moved_in = [&](double parameter, const std::array<double, 2>& range) {
+        const double margin = inside * width(range);
+        return std::clamp(parameter, range[0] + margin, range[1] - margin);
+    };
+    return {moved_in(at.u, surface_.range_u), moved_in(at.v, surface_.range_v)};
 }
 
 std::vector<SurfacePoint> SurfaceProjection::along(const std::vector<Vec3>& line) const {
@@ -212,10 +255,7 @@ std::vector<SurfacePoint> SurfaceProjection::along(const std::vector<Vec3>& line
         SurfacePoint next = nearest_from(p, before);
         if (next.distance > on_surface * size_) {
             SurfacePoint other = nearest(p);
-            other.parameters.u =
-                continued(other.parameters.u, before.u, surface_.range_u, surface_.closed_u);
-            other.parameters.v =
-                continued(other.parameters.v, before.v, surface_.range_v, surface_.closed_v);
+            other.parameters = continued(surface_, other.parameters, before);
             if (other.distance < next.distance) next = other;
         }
         found.push_back(next);

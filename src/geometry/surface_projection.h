@@ -19,13 +19,24 @@ struct SurfacePoint {
     double distance = 0;
 };
 
+/// The parameters that differ from `at` by whole periods and are nearest to `reference`.
+SurfaceParameters continued(const Surface& surface, const SurfaceParameters& at,
+                            const SurfaceParameters& reference);
+
+/// The corners of an axis-parallel box.
+struct SampleBox {
+    Vec3 low;
+    Vec3 high;
+};
+
 /// Finds nearest points; keeps its own copy of the surface and a net of samples of it.
 class SurfaceProjection {
 public:
     explicit SurfaceProjection(Surface surface);
 
     const Surface& surface() const { return surface_; }
-    /// The diagonal of the box around the samples.
+    /// The box around the samples, and its diagonal.
+    const SampleBox& box() const { return box_; }
     double size() const { return size_; }
 
     /// The point of the surface nearest to p, from the samples that are nearer than their
@@ -36,6 +47,10 @@ public:
 
     /// The nearest point that is reached downhill from `start`, whose parameters it continues.
     SurfacePoint nearest_from(const Vec3& p, const SurfaceParameters& start) const;
+
+    /// Where to start from towards the nearest point: the nearest sample, a little inside of the
+    /// range, for on its ends derivatives may vanish.
+    SurfaceParameters nearest_sample(const Vec3& p) const;
 
     /// The parameters along a line of points on the surface, each continued from the one before:
     /// where the line crosses a seam they leave the range.
@@ -52,6 +67,7 @@ private:
 
     Surface surface_;
     std::vector<Vec3> samples_;
+    SampleBox box_;
     double size_ = 0;
 };
 
