@@ -10,7 +10,9 @@
 #include "faces/face_boundary.h"
 #include "faces/flat_corners.h"
 #include "faces/folded_start.h"
+#include "faces/harmonic_iteration.h"
 #include "faces/orthogonal_face.h"
+#include "faces/patched_face.h"
 #include "faces/straight_line_map.h"
 #include "faces/surface_face.h"
 #include "faces/transfinite_face.h"
@@ -55,13 +57,16 @@ void fill_minimal(FaceGrid& grid, const Face& face, const ParameterField& parame
     grid.heights = hold_heights(grid.points, face.solve.heights);
 }
 
-void fill_on_surface(FaceGrid& grid, const Face& face, const ParameterField& parameters) {
-    SurfaceFace on_surface(*face.surface, grid.points, parameters, face.solve.start_folded);
-    on_surface.evaluate_interior(grid.points);
+/// A face whose points are bound to its surface or surfaces; `grid` has its start.
+void fill_bound(FaceGrid& grid, const Face& face, const ParameterField& parameters,
+                const BoundFace& bound) {
     if (face.solve.method == Method::elliptic) {
         const FaceSolver solve = [&](PointField& points, const ParameterField& wanted,
                                      const EllipticOptions& options) {
-            return on_surface.solve(points, wanted, options);
+            SolveResult result = solve_bound(points, wanted, options, bound);
+            result.untangling = untangle_bound(points, wanted, bound);
+            if (result.untangling) result.folded_after = count_folded(points);
+            return result;
         };
         grid.solve = solve(grid.points, parameters, options_of(face));
         make_orthogonal_where_asked(grid, face, parameters, solve);
@@ -69,7 +74,20 @@ void fill_on_surface(FaceGrid& grid, const Face& face, const ParameterField& par
         grid.solve.folded_before = count_folded(grid.points);
     }
     grid.heights = hold_heights(grid.points, face.solve.heights);
-    if (!grid.heights.empty()) on_surface.project_interior(grid.points);
+    if (!grid.heights.empty()) bound.project(grid.points);
+}
+
+void fill_on_surface(FaceGrid& grid, const Face& face, const ParameterField& parameters) {
+    if (!face.patches.empty()) {
+        PatchedFace patched(face.patches, grid.points, parameters, face.solve.start_folded);
+        grid.off_surface = patched.off_surface();
+        fill_bound(grid, face, parameters, patched.bound());
+        return;
+    }
+    SurfaceFace on_surface(*face.surface, grid.points, parameters, face.solve.start_folded);
+    on_surface.evaluate_interior(grid.points);
+    grid.off_surface = on_surface.off_surface();
+    fill_bound(grid, face, parameters, on_surface.bound());
 }
 
 FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool planar) {
@@ -80,7 +98,7 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
     const double exponent = algebraic ? 1 : face.solve.flat_edge_exponent;
     const ParameterField parameters =
         straight_line_map(grid.points, corner_exponents(grid.flat_corners, exponent));
-    if (face.surface) {
+    if (face.is_on_surface()) {
         fill_on_surface(grid, face, parameters);
     } else {
         fill_minimal(grid, face, parameters);

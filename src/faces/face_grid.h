@@ -4,12 +4,14 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/field.h"
 #include "edges/edge_grid.h"
 #include "elliptic/solve_result.h"
 #include "faces/held_side.h"
+#include "faces/off_surface.h"
 #include "topology/topology.h"
 
 namespace hexweave {
@@ -19,8 +21,9 @@ namespace hexweave {
 struct FaceGrid {
     PointField points;
     SolveResult solve;
-    std::vector<HeldSide> heights;       ///< of the sides at which heights are held
-    std::array<bool, 4> flat_corners{};  ///< where two of its sides meet flat, as Face::corners
+    std::vector<HeldSide> heights;          ///< of the sides at which heights are held
+    std::optional<OffSurface> off_surface;  ///< of its edges, where it lies on a surface
+    std::array<bool, 4> flat_corners{};     ///< where two of its sides meet flat, as Face::corners
 };
 
 /// One grid per face of the topology, in its order; independent faces in parallel. `done` is called

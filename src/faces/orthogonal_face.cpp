@@ -60,6 +60,7 @@ OrthogonalityEnd fault_of(const SolveResult& solve) {
 SolveResult continued(SolveResult before, const SolveResult& next) {
     SolveResult both = next;
     both.folded_before = before.folded_before;
+    if (!both.untangling) both.untangling = std::move(before.untangling);
     both.cycles += before.cycles;
     both.history = std::move(before.history);
     both.history.insert(both.history.end(), next.history.begin(), next.history.end());

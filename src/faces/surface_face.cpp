@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "elliptic/fold_count.h"
-#include "elliptic/laplace_solver.h"
 #include "elliptic/untangle.h"
+#include "faces/arc_length.h"
 #include "faces/folded_start.h"
 #include "faces/map_inverse.h"
 #include "faces/transfinite_face.h"
@@ -20,30 +19,19 @@ namespace hexweave {
 
 namespace {
 
-/// The harmonic functions' accuracy in shares of that of the grid, both in cells.
-constexpr double share_of_tolerance = 1e-2;
-
-std::vector<Vec3> points_of_side(const PointField& points, Side side) {
-    const Extent e = points.extent();
-    const bool along_j = axis_of(side) == 0;
-    std::vector<Vec3> line;
-    for (int n = 0; n < (along_j ? e.nj : e.ni); ++n) {
-        const int across = is_max(side) ? (along_j ? e.ni : e.nj) - 1 : 0;
-        line.push_back(along_j ? points(across, n) : points(n, across));
-    }
-    return line;
-}
-
-/// The parameters of the boundary nodes.
-PointField boundary_parameters(const SurfaceProjection& projection, const PointField& points) {
+/// The parameters of the boundary nodes; notes how far they are off the surface.
+PointField boundary_parameters(const SurfaceProjection& projection, const PointField& points,
+                               OffSurface& off) {
     const Extent e = points.extent();
     const PatchSides patch = sides_on_surface(
-        projection, {points_of_side(points, Side::imin), points_of_side(points, Side::imax),
-                     points_of_side(points, Side::jmin), points_of_side(points, Side::jmax)});
+        projection, {grid_line(points, {0, 0, 0}, 1), grid_line(points, {e.ni - 1, 0, 0}, 1),
+                     grid_line(points, {0, 0, 0}, 0), grid_line(points, {0, e.nj - 1, 0}, 0)});
     PointField at(e);
     const auto set = [&](int i, int j, const SurfacePoint& p) {
         at.set(i, j, 0, {p.parameters.u, p.parameters.v, 0});
+        off.include(p.distance, points(i, j));
     };
+    off.size = projection.size();
     for (int j = 0; j < e.nj; ++j) {
         set(0, j, patch.sides[0][static_cast<std::size_t>(j)]);
         set(e.ni - 1, j, patch.sides[1][static_cast<std::size_t>(j)]);
@@ -101,7 +89,7 @@ void unfold_parameters(PointField& at, const Surface& surface, const ParameterFi
 
 SurfaceFace::SurfaceFace(const Surface& surface, const PointField& points,
                          const ParameterField& parameters, bool start_folded)
-    : projection_(surface), at_(boundary_parameters(projection_, points)) {
+    : projection_(surface), at_(boundary_parameters(projection_, points, off_)), kept_(at_) {
     interpolate_face(at_, parameters);
     if (start_folded) fold_interior(at_);
     unfold_parameters(at_, surface, parameters);
@@ -150,63 +138,21 @@ double SurfaceFace::move_nodes(const Field& s, const Field& t, const ParameterFi
     return *std::max_element(farthest.begin(), farthest.end());
 }
 
-SolveResult SurfaceFace::solve(PointField& points, const ParameterField& parameters,
-                               const EllipticOptions& options) {
-    constexpr int patience = 5;  // passes without progress
-    SolveResult result;
-    result.tolerance = options.tolerance;
-    result.folded_before = count_folded(points);
-    const Extent e = points.extent();
-    if (e.ni < 3 || e.nj < 3) {
-        result.status = SolveStatus::converged;
-        result.folded_after = result.folded_before;
-        return result;
-    }
-    result.status = SolveStatus::not_converged;
-    const LaplaceOptions laplace{share_of_tolerance * options.tolerance,
-                                 LaplaceOptions().maximum_cycles};
-    PointField best = at_;
-    double least = INFINITY;
-    int idle = 0;
-    for (int pass = 0; pass < options.maximum_cycles && idle < patience; ++pass) {
-        const LaplaceHierarchy hierarchy(element_conductances(points));
-        // What they are to be is what they are, in the end.
-        Field s = parameters.s;
-        Field t = parameters.t;
-        bool solved = true;
-        for (Field* field : {&s, &t}) {
-            const LaplaceResult found =
-                solve_laplace(hierarchy, {true, true, true, true}, laplace, *field);
-            result.cycles += found.cycles;
-            solved = solved && found.converged;
-        }
-        if (!solved) break;
-        result.displacement = move_nodes(s, t, parameters);
+BoundFace SurfaceFace::bound() {
+    BoundFace face;
+    face.move = [this](PointField& points, const Field& s, const Field& t,
+                       const ParameterField& wanted) {
+        const double moved = move_nodes(s, t, wanted);
         evaluate_interior(points);
-        if (!result.history.empty()) {
-            result.rate = result.displacement / result.history.back();
-        }
-        result.history.push_back(result.displacement);
-        ++idle;
-        if (result.displacement < least) {
-            least = result.displacement;
-            best = at_;
-            idle = 0;
-        }
-        const double remaining = result.rate > 0 && result.rate < 1
-                                     ? result.displacement * result.rate / (1 - result.rate)
-                                     : result.displacement;
-        if (remaining < options.tolerance) {
-            result.status = SolveStatus::converged;
-            break;
-        }
-    }
-    if (result.status != SolveStatus::converged) {
-        at_ = best;
+        return moved;
+    };
+    face.project = [this](PointField& points) { project_interior(points); };
+    face.keep = [this](const PointField&) { kept_ = at_; };
+    face.restore = [this](PointField& points) {
+        at_ = kept_;
         evaluate_interior(points);
-    }
-    result.folded_after = count_folded(points);
-    return result;
+    };
+    return face;
 }
 
 }  // namespace hexweave

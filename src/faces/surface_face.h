@@ -5,7 +5,8 @@
 
 #include "core/field.h"
 #include "elliptic/elliptic_solver.h"
-#include "elliptic/solve_result.h"
+#include "faces/harmonic_iteration.h"
+#include "faces/off_surface.h"
 #include "geometry/surface_projection.h"
 
 namespace hexweave {
@@ -23,27 +24,21 @@ public:
     /// Sets the interior of `points` to the points of the surface at (u, v); boundary nodes stay.
     void evaluate_interior(PointField& points) const;
 
-    /// Moves interior points that were moved off the surface to the nearest ones on it.
-    void project_interior(PointField& points);
+    /// How far the boundary nodes are off the surface.
+    const OffSurface& off_surface() const { return off_; }
 
-    /// Solves the Laplace-Beltrami equations for s and t on the grid of `points`, with the boundary
-    /// values of `parameters`, and moves every interior node to where they have the values of
-    /// `parameters`; and again on the grid that results, until nodes move by less than the
-    /// tolerance. So the grid does not depend on the grid that it began with, nor on the
-    /// parametrization. In the result `cycles` are the solver's, `history` has the displacement of
-    /// every pass in cells.
-    /// [Spekreijse & Boerstoel 1996, section 4.2, steps 3 to 5, repeated; by finite elements, for
-    /// with the paper's finite volumes a node among neighbours that are displaced against it does
-    /// not come to rest]
-    SolveResult solve(PointField& points, const ParameterField& parameters,
-                      const EllipticOptions& options);
+    /// For the solve and untangling; valid as long as this object stays where it is. The nodes move
+    /// in the plane of the parameters.
+    BoundFace bound();
 
 private:
-    /// Moves the nodes of one pass; returns the greatest move in cells.
     double move_nodes(const Field& s, const Field& t, const ParameterField& wanted);
+    void project_interior(PointField& points);
 
     SurfaceProjection projection_;
+    OffSurface off_;
     PointField at_;
+    PointField kept_;
 };
 
 }  // namespace hexweave

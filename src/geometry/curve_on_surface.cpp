@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/lines.h"
 #include "geometry/spline.h"
+#include "geometry/surface_curves.h"
 
 namespace hexweave {
 
@@ -18,13 +20,6 @@ namespace {
 struct Foot {
     double t = 0;
     PatchPoint place;
-};
-
-/// A part of the projected curve on one surface, from its first knot to its last.
-struct Part {
-    Surface surface;
-    Curve parameters;  ///< (u, v, 0) over the curve's own parameter
-    std::vector<double> knots;
 };
 
 /// The ends of the curve and its breaks.
@@ -40,7 +35,8 @@ public:
     Projection(const Curve& curve, const SurfaceSet& surfaces)
         : curve_(curve), surfaces_(surfaces) {}
 
-    std::vector<Part> parts() {
+    /// On one surface each.
+    std::vector<Curve> parts() {
         const std::vector<double> ends = smooth_ends(curve_);
         for (std::size_t n = 0; n + 1 < ends.size(); ++n) walk(ends[n], ends[n + 1]);
         return std::move(parts_);
@@ -124,21 +120,21 @@ private:
                 off = std::max(off, distance(evaluate(surface, {uv.x, uv.y}), feet[n].position));
             }
             if (off > close * surfaces_.size() && intervals < most) continue;
-            parts_.push_back({surface, spline, std::move(knots)});
+            parts_.push_back(curve_on(surface, spline));
             return;
         }
     }
 
     const Curve& curve_;
     const SurfaceSet& surfaces_;
-    std::vector<Part> parts_;
+    std::vector<Curve> parts_;
 };
 
 /// The part that holds a parameter; at a border the one behind.
-const Part& part_at(const std::vector<Part>& parts, double t) {
+const Curve& part_at(const std::vector<Curve>& parts, double t) {
     const auto behind =
         std::upper_bound(parts.begin(), parts.end(), t,
-                         [](double value, const Part& part) { return value < part.knots.front(); });
+                         [](double value, const Curve& part) { return value < part.begin; });
     return behind == parts.begin() ? parts.front() : *(behind - 1);
 }
 
@@ -146,43 +142,22 @@ const Part& part_at(const std::vector<Part>& parts, double t) {
 
 Curve parameter_line(const Surface& surface, const SurfaceParameters& from,
                      const SurfaceParameters& to) {
-    const auto at = [from, to](double t) {
-        return SurfaceParameters{(1 - t) * from.u + t * to.u, (1 - t) * from.v + t * to.v};
-    };
-    Curve curve;
-    curve.position = [surface, at](double t) { return evaluate(surface, at(t)); };
-    curve.derivative = [surface, at, from, to](double t) {
-        return (to.u - from.u) * evaluate_derivative_u(surface, at(t)) +
-               (to.v - from.v) * evaluate_derivative_v(surface, at(t));
-    };
-    return curve;
+    return curve_on(surface, straight_line({from.u, from.v, 0}, {to.u, to.v, 0}));
 }
 
 Curve projected_curve(const Curve& curve, const SurfaceSet& surfaces) {
     const auto parts =
-        std::make_shared<const std::vector<Part>>(Projection(curve, surfaces).parts());
+        std::make_shared<const std::vector<Curve>>(Projection(curve, surfaces).parts());
     Curve image;
     image.begin = curve.begin;
     image.end = curve.end;
     image.closed = curve.closed;
-    for (const Part& part : *parts) {
-        for (const double knot : part.knots) {
-            const double last = image.breaks.empty() ? curve.begin : image.breaks.back();
-            if (knot > last && knot < curve.end) image.breaks.push_back(knot);
-        }
+    for (const Curve& part : *parts) {
+        if (part.begin > curve.begin) image.breaks.push_back(part.begin);
+        image.breaks.insert(image.breaks.end(), part.breaks.begin(), part.breaks.end());
     }
-    image.position = [parts](double t) {
-        const Part& part = part_at(*parts, t);
-        const Vec3 uv = part.parameters.position(t);
-        return evaluate(part.surface, {uv.x, uv.y});
-    };
-    image.derivative = [parts](double t) {
-        const Part& part = part_at(*parts, t);
-        const Vec3 uv = part.parameters.position(t);
-        const Vec3 along = part.parameters.derivative(t);
-        return along.x * evaluate_derivative_u(part.surface, {uv.x, uv.y}) +
-               along.y * evaluate_derivative_v(part.surface, {uv.x, uv.y});
-    };
+    image.position = [parts](double t) { return part_at(*parts, t).position(t); };
+    image.derivative = [parts](double t) { return part_at(*parts, t).derivative(t); };
     return image;
 }
 

@@ -62,9 +62,17 @@ struct OnCurve {
     double at = 0;  ///< fraction of the curve's arc length
 };
 
+/// A place on a surface: its parameters; or the point of one or several surfaces nearest to
+/// another.
+struct OnSurface {
+    std::vector<Name> surfaces;
+    std::variant<SurfaceParameters, Vec3> where;
+    Place place;  ///< of `where`
+};
+
 struct VertexEntry {
     Name name;
-    std::variant<Vec3, OnCurve> where;
+    std::variant<Vec3, OnCurve, OnSurface> where;
 };
 
 /// Spacing laws. Sizes are arc length along the edge, in the file's units; fractions run from 0 to
@@ -107,6 +115,7 @@ struct EdgeEntry {
     Name from;
     Name to;
     std::optional<Name> along;             ///< a straight line where absent
+    std::vector<Name> surfaces{};          ///< that it is put onto
     std::optional<Located<Vec3>> through;  ///< picks the way on a closed curve
     std::optional<Located<int>> cells;
     std::optional<Located<SpacingEntry>> spacing;
@@ -137,7 +146,8 @@ struct FaceEntry {
     std::variant<std::array<std::vector<SignedName>, 4>, std::array<Name, 4>> shape;
     MethodEntry how;
     std::array<bool, 4> orthogonal{};  ///< by side: grid lines meet it at right angles
-    std::optional<Name> surface{};     ///< a minimal surface (planar) where absent
+    std::vector<Name> surfaces{};      ///< a minimal surface (planar) where empty
+    std::optional<double> gap{};       ///< how far its edges may be off them
 };
 
 /// A face on a block's side; `axes`, when given, are the side's two axes in the face's own (signed,

@@ -158,12 +158,12 @@ void place_block_corners(Draft& draft, DraftBlock& block, const std::array<Name,
     if (!edges_found) draft.uses_lost = true;
 }
 
-/// The surface that a face names; null where it is unknown, or could not be built.
-std::shared_ptr<const Surface> use_surface(Draft& draft, const Name& name) {
-    const std::optional<int> index = draft.surface_names.require(name, draft.diagnostics);
-    if (!index) return nullptr;
-    draft.surface_used[static_cast<std::size_t>(*index)] = true;
-    return draft.c.surfaces[static_cast<std::size_t>(*index)].shape;
+void put_on_surfaces(Face& face, std::vector<std::shared_ptr<const Surface>> surfaces) {
+    if (surfaces.size() == 1) {
+        face.surface = std::move(surfaces.front());
+    } else {
+        face.patches = std::move(surfaces);
+    }
 }
 
 }  // namespace
@@ -206,7 +206,7 @@ void place_corners(Draft& draft) {
         face.face.place = entry.name.place;
         face.face.solve = solve_request(draft.c, entry.how);
         face.face.orthogonal = entry.orthogonal;
-        if (entry.surface) face.face.surface = use_surface(draft, *entry.surface);
+        put_on_surfaces(face.face, use_surfaces(draft, entry.surfaces));
         face.entry = &entry;
         if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
             join_corner_face(draft, face, *corners);

@@ -65,6 +65,7 @@ struct Draft {
     std::map<std::array<int, 2>, EdgesBetween> edges_between;  ///< by vertices, ascending
     /// An entry could not be read, or corners not be resolved: what they use is not known.
     bool uses_lost = false;
+    std::vector<PutOnSurface> put_on_surface;
     NameTable curve_names{"curve"};
     NameTable surface_names{"surface"};
     NameTable vertex_names{"vertex"};
@@ -100,6 +101,22 @@ struct Network {
     const Face& face(int index) const { return topology.faces[static_cast<std::size_t>(index)]; }
 };
 
+/// The surfaces of these names, marked used; none where one is unknown or could not be built.
+std::vector<std::shared_ptr<const Surface>> use_surfaces(Draft& draft,
+                                                         const std::vector<Name>& names);
+/// "surface 'a'", "surfaces 'a' and 'b'".
+std::string surfaces_text(const std::vector<Name>& names);
+/// Places a vertex that was given by a place on a surface.
+void place_on_surface(Draft& draft, DraftVertex& vertex, const OnSurface& where);
+/// The curve that an edge without `along` follows on its surfaces: the image of a straight line
+/// between the parameters of its ends; on several surfaces the straight line between its ends,
+/// moved to the nearest points. False after an error.
+bool place_across_surfaces(Draft& draft, DraftEdge& edge);
+/// A curve put onto an edge's surfaces; null after an error.
+std::shared_ptr<const Curve> put_onto_surfaces(Draft& draft, const Curve& curve,
+                                               const EdgeEntry& entry);
+/// Notes how far a curve was from an edge's surfaces, of the piece that the edge is.
+void note_put_edge(Draft& draft, const DraftEdge& edge, const Curve& curve);
 /// Names of the curves and surfaces; names and positions of the vertices.
 void place_vertices(Draft& draft);
 /// The pieces of curves (straight lines) that the drawn edges are.

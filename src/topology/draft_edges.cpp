@@ -31,16 +31,26 @@ const CurveEntry* use_curve(Draft& draft, const Name& name) {
 }
 
 /// The parameters at which an edge's curve passes one of its vertices; empty after an error.
-std::vector<double> vertex_parameters(Draft& draft, const CurveEntry& along,
+std::vector<double> vertex_parameters(Draft& draft, const EdgeEntry& edge, const CurveEntry& along,
                                       const DraftVertex& vertex, const Place& place) {
     const Curve& curve = *along.shape;
+    const bool put = !edge.surfaces.empty();
     if (const auto* where = std::get_if<OnCurve>(&vertex.entry->where)) {
-        if (where->curve.value == along.name.value) {
+        if (where->curve.value == along.name.value && !put) {
             return passings(curve, parameter_at_fraction(curve, where->at));
         }
     }
     const CurvePoint foot = project(curve, vertex.vertex.position);
     if (!(foot.distance <= on_curve * size_of(curve))) {
+        if (put) {
+            draft.diagnostics.error(
+                place,
+                fmt::format("vertex {} is not on the curve {} as put onto {}: it is {} away",
+                            quoted(vertex.vertex.name), quoted(along.name.value),
+                            surfaces_text(edge.surfaces), number_text(foot.distance)),
+                fmt::format("the nearest point of it is {}", point_text(foot.position)));
+            return {};
+        }
         const double whole = arc_length(curve, curve.begin, curve.end);
         const double at = arc_length(curve, curve.begin, foot.parameter) / whole;
         draft.diagnostics.error(
@@ -89,8 +99,9 @@ bool place_on_curve(Draft& draft, DraftEdge& edge, const CurveEntry& along) {
     const DraftVertex& start = draft.vertex(edge.edge.start);
     const DraftVertex& end = draft.vertex(edge.edge.end);
     if (!start.sound || !end.sound) return false;
-    const std::vector<double> from = vertex_parameters(draft, along, start, entry.from.place);
-    const std::vector<double> to = vertex_parameters(draft, along, end, entry.to.place);
+    const std::vector<double> from =
+        vertex_parameters(draft, entry, along, start, entry.from.place);
+    const std::vector<double> to = vertex_parameters(draft, entry, along, end, entry.to.place);
     if (from.empty() || to.empty()) return false;
     const bool loop = edge.edge.start == edge.edge.end;
     const std::vector<CurvePiece> pieces = pieces_between(curve, from, to, loop);
@@ -132,7 +143,17 @@ double vertices_size(const Draft& draft) {
     return box_around(points).diagonal();
 }
 
-bool place_straight(Draft& draft, DraftEdge& edge) {
+/// Places an edge on a curve that is first put onto the edge's surfaces.
+bool place_on_put_curve(Draft& draft, DraftEdge& edge, const CurveEntry& along) {
+    CurveEntry put = along;
+    put.shape = put_onto_surfaces(draft, *along.shape, *edge.entry);
+    if (!put.shape || !place_on_curve(draft, edge, put)) return false;
+    note_put_edge(draft, edge, *along.shape);
+    return true;
+}
+
+/// Whether an edge that follows no curve can be one.
+bool check_straight(Draft& draft, const DraftEdge& edge) {
     const EdgeEntry& entry = *edge.entry;
     if (entry.through) {
         draft.diagnostics.error(entry.through->place,
@@ -149,6 +170,12 @@ bool place_straight(Draft& draft, DraftEdge& edge) {
                                 "name the closed curve that it follows with 'along'");
         return false;
     }
+    return true;
+}
+
+bool place_straight(Draft& draft, DraftEdge& edge) {
+    if (!check_straight(draft, edge)) return false;
+    const EdgeEntry& entry = *edge.entry;
     const DraftVertex& start = draft.vertex(edge.edge.start);
     const DraftVertex& end = draft.vertex(edge.edge.end);
     if (!start.sound || !end.sound) return false;
@@ -200,6 +227,8 @@ void place_vertices(Draft& draft) {
         if (const auto* position = std::get_if<Vec3>(&entry.where)) {
             vertex.vertex.position = *position;
             vertex.sound = true;
+        } else if (const auto* place = std::get_if<OnSurface>(&entry.where)) {
+            place_on_surface(draft, vertex, *place);
         } else {
             const auto& where = std::get<OnCurve>(entry.where);
             if (const CurveEntry* curve = use_curve(draft, where.curve)) {
@@ -224,7 +253,10 @@ void place_edges(Draft& draft) {
         const CurveEntry* along = entry.along ? use_curve(draft, *entry.along) : nullptr;
         if (edge.edge.start >= 0 && edge.edge.end >= 0) {
             if (along != nullptr) {
-                edge.sound = place_on_curve(draft, edge, *along);
+                edge.sound = entry.surfaces.empty() ? place_on_curve(draft, edge, *along)
+                                                    : place_on_put_curve(draft, edge, *along);
+            } else if (!entry.along && !entry.surfaces.empty()) {
+                edge.sound = check_straight(draft, edge) && place_across_surfaces(draft, edge);
             } else if (!entry.along) {
                 edge.sound = place_straight(draft, edge);
             }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/surface_patch.h"
+#include "geometry/surface_set.h"
 #include "topology/face_frame.h"
 #include "topology/sample.h"
 
@@ -63,6 +64,15 @@ PatchNodes surface_patch(const Surface& surface, const std::array<Points, 4>& si
     return patch;
 }
 
+/// The part of several surfaces between four sides: a Coons patch moved to the nearest points.
+PatchNodes surface_patch(const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                         const std::array<Points, 4>& sides) {
+    const SurfaceSet set(surfaces);
+    PatchNodes patch = coons_patch(sides);
+    for (Vec3& p : patch.points) p = set.nearest(p).point.position;
+    return patch;
+}
+
 /// Six times the volume between the origin and a patch, seen from its axes' right-handed normal.
 double six_volumes(const PatchNodes& patch) {
     double sum = 0;
@@ -98,10 +108,11 @@ std::array<Points, 4> sampled(const Topology& topology, const FrameSides& frame,
 PatchNodes sampled_patch(const Topology& topology, const FaceUse& use, const Vec3& origin) {
     const Face& face = topology.faces[static_cast<std::size_t>(use.face)];
     const FrameSides frame = sides_in_frame(face.sides, use.orientation);
-    const Surface* surface = face.surface.get();
-    const Vec3 from = surface == nullptr ? origin : Vec3{};
+    const Vec3 from = face.is_on_surface() ? Vec3{} : origin;
     const std::array<Points, 4> sides = sampled(topology, frame, from);
-    PatchNodes patch = surface == nullptr ? coons_patch(sides) : surface_patch(*surface, sides);
+    PatchNodes patch = face.surface           ? surface_patch(*face.surface, sides)
+                       : face.is_on_surface() ? surface_patch(face.patches, sides)
+                                              : coons_patch(sides);
     for (Vec3& p : patch.points) p -= origin - from;
     return patch;
 }

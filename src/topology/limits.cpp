@@ -103,6 +103,9 @@ void measure_extent(Topology& topology, bool three_dimensional) {
                                                         [](const Vec3& p) { return p.z == 0; });
     for (const Face& face : topology.faces) {
         if (face.surface && !is_in_plane(*face.surface)) topology.planar = false;
+        for (const auto& patch : face.patches) {
+            if (!is_in_plane(*patch)) topology.planar = false;
+        }
     }
 }
 

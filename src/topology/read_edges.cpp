@@ -11,8 +11,43 @@ namespace hexweave {
 
 namespace {
 
-std::variant<Vec3, OnCurve> read_place(Reading& reading, const YamlNode& entry,
-                                       const std::string& what) {
+using VertexPlace = std::variant<Vec3, OnCurve, OnSurface>;
+
+/// `{surface: S, at: [u, v]}` or `{surface: [S, ...], near: POINT}`.
+VertexPlace read_place_on_surface(Reading& reading, const YamlNode& entry,
+                                  const std::string& what) {
+    const VertexPlace faulty = OnCurve{{{}, entry.place}, 0};
+    expect_mapping(reading, entry, what, {"surface", "at", "near"});
+    OnSurface place;
+    place.surfaces = read_names(reading, *find(reading, entry, "surface"), "'surface'");
+    const YamlNode* at = find(reading, entry, "at");
+    const YamlNode* near = find(reading, entry, "near");
+    if ((at == nullptr) == (near == nullptr)) {
+        reading.diagnostics.error(
+            entry.place, fmt::format("{} needs either 'at' or 'near'", what),
+            "'at: [u, v]' are parameters of the surface, 'near: [x, y, z]' is a point whose "
+            "nearest one on the surface is meant");
+        return faulty;
+    }
+    place.place = at != nullptr ? at->place : near->place;
+    if (near != nullptr) {
+        const auto point = read_point(reading, *near, "'near'");
+        if (!point) return faulty;
+        place.where = *point;
+        return place;
+    }
+    if (!expect_list(reading, *at, "'at'", 2)) return faulty;
+    const auto u = read_number(reading, at->children[0], "u of 'at'");
+    const auto v = read_number(reading, at->children[1], "v of 'at'");
+    if (!u || !v) return faulty;
+    place.where = SurfaceParameters{*u, *v};
+    if (place.surfaces.size() == 1) return place;
+    reading.diagnostics.error(at->place, "'at' are the parameters of one surface, not of several",
+                              "name one surface, or give a point with 'near'");
+    return faulty;
+}
+
+VertexPlace read_place(Reading& reading, const YamlNode& entry, const std::string& what) {
     const OnCurve faulty{{{}, entry.place}, 0};
     if (entry.is_sequence()) {
         const auto point = read_point(reading, entry, what);
@@ -22,13 +57,14 @@ std::variant<Vec3, OnCurve> read_place(Reading& reading, const YamlNode& entry,
     if (!entry.is_mapping()) {
         reading.diagnostics.error(entry.is_null() ? entry.key_place : entry.place,
                                   fmt::format("{} must be a point, not {}", what, describe(entry)),
-                                  "write [x, y], [x, y, z] or {curve: NAME, at: FRACTION}");
+                                  "write [x, y], [x, y, z], {curve: NAME, at: FRACTION} or "
+                                  "{surface: NAME, at: [u, v]}");
         return faulty;
     }
-    const bool on_surface = find(reading, entry, "surface") != nullptr;
-    expect_mapping(reading, entry, what, {"curve", "at"},
-                   {{"surface", "surfaces come with a later version", ""}});
-    if (on_surface) return faulty;
+    if (find(reading, entry, "surface") != nullptr) {
+        return read_place_on_surface(reading, entry, what);
+    }
+    expect_mapping(reading, entry, what, {"curve", "at"});
     tell_lacking(reading, entry, {"curve", "at"}, what);
     const YamlNode* curve = find(reading, entry, "curve");
     const YamlNode* at = find(reading, entry, "at");
@@ -60,7 +96,7 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
                                   "poles, edges that are one vertex, are not in this version yet");
         return edge;
     }
-    const Keys keys{"from", "to", "along", "through", "cells", "spacing"};
+    const Keys keys{"from", "to", "along", "surface", "through", "cells", "spacing"};
     if (!expect_mapping(reading, node, what, keys,
                         {{"heights", "'heights' are not in this version yet",
                           "give a spacing with 'start', 'end' or 'positions'"}})) {
@@ -71,6 +107,9 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
     edge.to = read_name_at(reading, node, "to");
     if (const YamlNode* along = find(reading, node, "along")) {
         edge.along = read_name(reading, *along, "'along'");
+    }
+    if (const YamlNode* surface = find(reading, node, "surface")) {
+        edge.surfaces = read_names(reading, *surface, "'surface'");
     }
     if (const YamlNode* through = find(reading, node, "through")) {
         const auto point = read_point(reading, *through, "'through'");

@@ -84,11 +84,22 @@ std::vector<SignedName> read_face_side(Reading& reading, const YamlNode& node,
     return {SignedName{{}, false, false, node.place}};
 }
 
-/// The surface that a face names; none where it is a minimal surface.
-std::optional<Name> read_surface(Reading& reading, const YamlNode& face) {
+/// The surfaces that a face names; none where it is a minimal surface.
+std::vector<Name> read_surfaces(Reading& reading, const YamlNode& face) {
     const YamlNode* node = find(reading, face, "surface");
-    if (node == nullptr || (node->is_scalar() && node->text == "minimal")) return std::nullopt;
-    return read_name(reading, *node, "'surface'");
+    if (node == nullptr || (node->is_scalar() && node->text == "minimal")) return {};
+    return read_names(reading, *node, "'surface'");
+}
+
+/// The `gap` of a face on surfaces.
+std::optional<double> read_gap(Reading& reading, const YamlNode& face, bool on_surface) {
+    const YamlNode* node = find(reading, face, "gap");
+    if (node == nullptr) return std::nullopt;
+    if (!on_surface) {
+        reading.diagnostics.error(node->key_place, "'gap' is for faces on surfaces",
+                                  "name the 'surface', or remove 'gap'");
+    }
+    return read_positive(reading, *node, "'gap'");
 }
 
 /// Marks the side that one name of 'orthogonal' means, or tells why it means none.
@@ -143,11 +154,12 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
 
     Keys keys = sides;
     keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "heights",
-                             "surface", "orthogonal"});
+                             "surface", "gap", "orthogonal"});
     if (!expect_mapping(reading, node, what, keys)) return face;
     face.how = read_method(reading, node, sides);
     face.orthogonal = read_orthogonal(reading, node, face.how.method);
-    face.surface = read_surface(reading, node);
+    face.surfaces = read_surfaces(reading, node);
+    face.gap = read_gap(reading, node, !face.surfaces.empty());
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return face;
     if (*corners) {

@@ -296,6 +296,26 @@ Name read_name(Reading& reading, const YamlNode& node, const std::string& what) 
     return {{}, node.place};
 }
 
+std::vector<Name> read_names(Reading& reading, const YamlNode& node, const std::string& what) {
+    if (!node.is_sequence()) return {read_name(reading, node, what)};
+    std::vector<Name> names;
+    for (const YamlNode& item : node.children) {
+        Name name = read_name(reading, item, fmt::format("a name of {}", what));
+        const bool again = std::any_of(names.begin(), names.end(), [&](const Name& other) {
+            return !name.value.empty() && other.value == name.value;
+        });
+        if (again) {
+            reading.diagnostics.error(item.place,
+                                      fmt::format("{} names '{}' twice", what, name.value));
+            name.value.clear();
+        }
+        names.push_back(std::move(name));
+    }
+    if (!names.empty()) return names;
+    reading.diagnostics.error(node.place, fmt::format("{} names nothing", what));
+    return {Name{{}, node.place}};
+}
+
 SignedName read_signed_name(Reading& reading, const YamlNode& node, const std::string& what) {
     const char sign = node.is_scalar() && !node.text.empty() ? node.text.front() : ' ';
     if (sign != '-' && sign != '+') {

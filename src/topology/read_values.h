@@ -103,6 +103,8 @@ bool check_new_name(Reading& reading, const YamlNode& node, const std::string& k
 Name read_name(Reading& reading, const YamlNode& node, const std::string& what);
 /// The same with an optional sign in front.
 SignedName read_signed_name(Reading& reading, const YamlNode& node, const std::string& what);
+/// One name or a list of different ones; an empty name among them after an error. Not empty.
+std::vector<Name> read_names(Reading& reading, const YamlNode& node, const std::string& what);
 
 /// "did you mean 'x'?", or else "LABEL a, b, c".
 std::string suggestion(const std::string& name, const Keys& known, std::string_view label);

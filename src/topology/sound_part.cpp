@@ -174,6 +174,7 @@ Network sound_part(Draft& draft) {
         t.blocks.push_back(std::move(block));
         network.block_entries.push_back(draft.blocks[n].entry);
     }
+    t.put_on_surface = draft.put_on_surface;
     network.edge_names = draft.edge_names;
     network.edge_names.renumber(edges);
     network.face_names = draft.face_names;

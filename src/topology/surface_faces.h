@@ -7,8 +7,9 @@
 
 namespace hexweave {
 
-/// Checks that the sampled edges of every face on a surface are no farther from it than 1e-6 of its
-/// size, and that the face's boundary does not go round it. False when there are faults.
+/// Checks that the sampled edges of every face on surfaces are no farther from these than the face
+/// allows, by default 1e-6 of their size, and that the boundary of a face on one surface does not
+/// go round it. False when there are faults.
 bool check_surface_faces(const Network& network, Diagnostics& diagnostics);
 
 }  // namespace hexweave

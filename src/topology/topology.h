@@ -65,6 +65,14 @@ struct Edge {
     bool made = false;              ///< not drawn by the user: a straight edge between two corners
 };
 
+/// A vertex or an edge that was put onto a surface, and how far it was moved for that at most.
+struct PutOnSurface {
+    std::string what;      ///< "vertex 'a'"
+    std::string surfaces;  ///< "surface 'wing'"
+    double distance = 0;
+    Vec3 place;  ///< before
+};
+
 struct EdgeUse {
     int edge = 0;
     bool reversed = false;
@@ -92,13 +100,16 @@ struct Face {
     int cells_j = 1;
     SolveRequest solve;
     std::array<bool, 4> orthogonal{};        ///< by side: grid lines meet it at right angles
-    std::shared_ptr<const Surface> surface;  ///< that it lies on; null: a minimal surface
+    std::shared_ptr<const Surface> surface;  ///< that it lies on, where it is one
+    std::vector<std::shared_ptr<const Surface>> patches;  ///< where there are several
     std::optional<AxisPlane>
         plane;  ///< the symmetry plane it lies on: its points are exactly there
     bool made = false;
 
     const std::vector<EdgeUse>& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
     Extent extent() const { return {cells_i + 1, cells_j + 1, 1}; }
+    /// Otherwise it is a minimal surface.
+    bool is_on_surface() const { return surface != nullptr || !patches.empty(); }
 };
 
 /// A face as a side of a block, or as a part of one: `orientation` takes the side's two tangential
@@ -149,8 +160,9 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<Block> blocks;
     std::vector<Boundary> boundaries;  ///< covers every free side; `unassigned` added where needed
-    std::string cgns_output;           ///< as written in the file; empty when it names none
-    bool planar = true;                ///< no blocks and every point in z = 0
+    std::vector<PutOnSurface> put_on_surface;
+    std::string cgns_output;  ///< as written in the file; empty when it names none
+    bool planar = true;       ///< no blocks and every point in z = 0
     /// The greatest distance between vertices or sampled edge points: the scale of tolerances.
     double size = 1;
 
