@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
     hexweave::add_run(app, chosen);
     hexweave::add_check(app, chosen);
     hexweave::add_plot(app, chosen);
+    hexweave::add_geometry(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

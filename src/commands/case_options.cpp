@@ -38,8 +38,9 @@ std::string tally(const Diagnostics& d) {
     return text + "\n";
 }
 
-void write_json(const Outcome& outcome, const std::string& path) {
-    const std::string text = to_json(outcome);
+}  // namespace
+
+void write_json_text(const std::string& text, const std::string& path) {
     if (path == "-") {
         std::fputs(text.c_str(), stdout);
         return;
@@ -56,6 +57,8 @@ void write_json(const Outcome& outcome, const std::string& path) {
     });
     files.commit();
 }
+
+namespace {
 
 /// The body, with every failure turned into its message and exit code.
 ExitCode guarded(const std::function<ExitCode(Outcome&)>& body, Outcome& outcome) {
@@ -162,7 +165,7 @@ ExitCode run_case_command(const char* command, const CaseOptions& options,
     if (!options.json.empty()) {
         const ExitCode written = guarded(
             [&options](Outcome& o) {
-                write_json(o, options.json);
+                write_json_text(to_json(o), options.json);
                 return ExitCode::done;
             },
             outcome);

@@ -32,6 +32,9 @@ void add_case_options(CLI::App& command, CaseOptions& options);
 /// The config's text. Throws UsageError when it cannot be read.
 std::shared_ptr<const SourceFile> read_source(const std::string& config);
 
+/// Writes a text that is JSON to a file; "-" prints it.
+void write_json_text(const std::string& text, const std::string& path);
+
 /// Splits NAME=EXPR. Throws UsageError for anything else.
 std::vector<Override> parse_overrides(const std::vector<std::string>& set);
 

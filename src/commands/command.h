@@ -15,5 +15,6 @@ using ChosenCommand = std::function<ExitCode()>;
 void add_run(CLI::App& app, ChosenCommand& chosen);
 void add_check(CLI::App& app, ChosenCommand& chosen);
 void add_plot(CLI::App& app, ChosenCommand& chosen);
+void add_geometry(CLI::App& app, ChosenCommand& chosen);
 
 }  // namespace hexweave

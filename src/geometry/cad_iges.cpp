@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <IFSelect_ReturnStatus.hxx>
+#include <IGESBasic_Name.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
@@ -11,11 +12,7 @@
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <algorithm>
-#include <cctype>
 #include <map>
-#include <optional>
-#include <utility>
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -114,32 +111,18 @@ std::string label_of(const Handle(IGESData_IGESEntity) & entity) {
     return label;
 }
 
-/// The unit that the global section gives by a number or, for number 3, by a name.
-const LengthUnit* unit_of(const IGESData_GlobalSection& global) {
-    static const std::map<int, std::string_view> by_number{
-        {1, "in"}, {2, "mm"},  {4, "ft"}, {5, "mi"},  {6, "m"},
-        {7, "km"}, {8, "mil"}, {9, "um"}, {10, "cm"}, {11, "uin"}};
-    const auto found = by_number.find(global.UnitFlag());
-    if (found != by_number.end()) return find_length_unit(found->second);
-    if (global.UnitFlag() != 3) return nullptr;
-    std::string name = trimmed_text(global.UnitName());
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return find_length_unit(name == "inch" ? "in" : name);
+/// Whatever unit they are in, lengths stay as they stand in the file.
+void keep_lengths(const Handle(IGESData_IGESModel) & model) {
+    IGESData_GlobalSection global = model->GlobalSection();
+    global.SetUnitFlag(6);
+    global.SetCascadeUnit(1e3);
+    model->SetGlobalSection(global);
+    convert_lengths_to(*find_length_unit("m"));
 }
 
-void set_units(CadFile& file, const Handle(IGESData_IGESModel) & model) {
-    IGESData_GlobalSection global = model->GlobalSection();
-    const LengthUnit* unit = unit_of(global);
-    if (unit != nullptr) {
-        file.unit = unit->name;
-        file.unit_in_metres = unit->metres;
-    }
-    // Whatever it is, lengths stay as they stand in the file.
-    global.SetUnitFlag(6);
-    global.SetCascadeUnit(1000);
-    model->SetGlobalSection(global);
-    convert_lengths_to(length_units.front());
+std::string name_of(const Handle(IGESData_IGESEntity) & entity) {
+    if (entity->NbTypedProperties(STANDARD_TYPE(IGESBasic_Name)) == 0) return {};
+    return trimmed_text(entity->NameValue());
 }
 
 CadEntity read_entity(IGESControl_Reader& reader, const Handle(IGESData_IGESModel) & model,
@@ -148,7 +131,7 @@ CadEntity read_entity(IGESControl_Reader& reader, const Handle(IGESData_IGESMode
     result.number = model->DNum(entity);
     result.type = shape_types().at(entity->TypeNumber());
     result.label = label_of(entity);
-    if (entity->HasName()) result.name = trimmed_text(entity->NameValue());
+    result.name = name_of(entity);
     reader.TransferEntity(entity);
     const TopoDS_Shape shape = reader.WS()->TransferReader()->ShapeResult(entity);
     if (shape.IsNull()) return result;
@@ -159,11 +142,11 @@ CadEntity read_entity(IGESControl_Reader& reader, const Handle(IGESData_IGESMode
 
 }  // namespace
 
-CadFile read_iges(const std::string& text) {
+CadFile read_iges(const CadText& text) {
     IGESControl_Controller::Init();
     // Surfaces with creases stay in one piece.
     Interface_Static::SetIVal("read.iges.bspline.continuity", 0);
-    const MemoryFile in_memory(text);
+    const MemoryFile in_memory(text.text);
     IGESControl_Reader reader;
     const IFSelect_ReturnStatus status = reader.ReadFile(in_memory.path().c_str());
     const Handle(IGESData_IGESModel) model = reader.IGESModel();
@@ -171,7 +154,9 @@ CadFile read_iges(const std::string& text) {
         throw CadFault("the IGES file holds nothing that can be read");
     }
     CadFile file;
-    set_units(file, model);
+    file.unit = text.unit;
+    if (!file.unit.empty()) file.unit_in_metres = find_length_unit(file.unit)->metres;
+    keep_lengths(model);
     const Interface_Graph& graph = reader.WS()->Graph();
     for (int n = 1; n <= model->NbEntities(); ++n) {
         const Handle(IGESData_IGESEntity) entity = model->Entity(n);

@@ -29,7 +29,7 @@ namespace {
 
 CadFile read_file(const CadText& text) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
-    CadFile file = text.format == CadFormat::iges ? read_iges(text.text) : read_step(text.text);
+    CadFile file = text.format == CadFormat::iges ? read_iges(text) : read_step(text);
     file.format = text.format;
     if (file.entities.empty()) throw CadFault("it holds neither surfaces nor curves");
     return file;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/cad.h"
+#include "geometry/cad_text.h"
 #include "geometry/length_units.h"
 
 namespace hexweave {
@@ -17,8 +18,8 @@ struct CadFault : std::runtime_error {
 
 /// The contents of a file, its entities in ascending order. Throws CadFault, or what Open CASCADE
 /// throws.
-CadFile read_iges(const std::string& text);
-CadFile read_step(const std::string& text);
+CadFile read_iges(const CadText& text);
+CadFile read_step(const CadText& text);
 
 /// Makes Open CASCADE convert lengths to that unit.
 void convert_lengths_to(const LengthUnit& unit);

@@ -9,6 +9,7 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -32,6 +33,10 @@ CadBox box_around(const TopoDS_Shape& shape) {
     box.SetGap(0);
     CadBox around;
     box.Get(around.low.x, around.low.y, around.low.z, around.high.x, around.high.y, around.high.z);
+    // Open CASCADE leaves that much room around a shape.
+    const double room = Precision::Confusion();
+    around.low += {room, room, room};
+    around.high -= {room, room, room};
     return around;
 }
 
@@ -118,9 +123,9 @@ CadFace cad_face(const TopoDS_Face& face) {
         return result;
     }
     set_surface(result, surface, parameter_box(face, surface));
+    if (!result.fault.empty()) return result;
     const std::vector<TopoDS_Edge> edges = edges_of(face);
     for (const TopoDS_Edge& edge : edges) result.edges.push_back(cad_edge(edge));
-    if (!result.fault.empty()) return result;
     result.trimmed = is_trimmed(result, boundary_parameters(face, edges));
     result.box = box_around(face);
     return result;

@@ -127,10 +127,10 @@ private:
 
 }  // namespace
 
-CadFile read_step(const std::string& text) {
+CadFile read_step(const CadText& text) {
     STEPControl_Controller::Init();
     STEPControl_Reader reader;
-    std::istringstream stream(text);
+    std::istringstream stream(text.text);
     const IFSelect_ReturnStatus status = reader.ReadStream("cad", stream);
     const Handle(StepData_StepModel) model = reader.StepModel();
     if (status != IFSelect_RetDone || model.IsNull() || model->NbEntities() == 0) {

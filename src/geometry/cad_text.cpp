@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/cad_text.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstddef>
 #include <string_view>
 #include <utility>
+
+#include "geometry/length_units.h"
 
 namespace hexweave {
 
@@ -51,10 +56,68 @@ CadText fault(CadFormat format, std::string error) {
     return {format, {}, std::move(error)};
 }
 
+/// The parameters of the global section, from the data of its lines. A string is written with its
+/// length, as in 4HINCH; the first two parameters are the delimiters.
+class GlobalParameters {
+public:
+    explicit GlobalParameters(std::string_view data) : rest_(data) {}
+
+    std::string next() {
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size()));
+        const std::size_t digits = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
+        std::string value;
+        if (digits > 0 && digits < 4 && digits < rest_.size() && rest_[digits] == 'H') {
+            const auto length = static_cast<std::size_t>(std::stoi(std::string(rest_)));
+            value = rest_.substr(digits + 1, length);
+            rest_.remove_prefix(std::min(digits + 1 + length, rest_.size()));
+        }
+        // One that delimits parameters is itself the first of them.
+        if (first_ && value.size() == 1) delimiter_ = value.front();
+        first_ = false;
+        const std::size_t end = std::min(rest_.find_first_of(delimiters()), rest_.size());
+        if (value.empty()) value = without_blanks(rest_.substr(0, end));
+        if (end < rest_.size() && rest_[end] == delimiter_) rest_.remove_prefix(end + 1);
+        return value;
+    }
+
+private:
+    std::string delimiters() const { return {delimiter_, ';'}; }
+
+    static std::string without_blanks(std::string_view text) {
+        std::string kept(text);
+        kept.erase(std::remove(kept.begin(), kept.end(), ' '), kept.end());
+        return kept;
+    }
+
+    std::string_view rest_;
+    char delimiter_ = ',';
+    bool first_ = true;
+};
+
+/// The unit that the global section gives by a number or, for number 3, by a name.
+std::string iges_unit(std::string_view global) {
+    constexpr int flag_index = 14;
+    constexpr std::array<std::string_view, 12> by_flag{"",  "in", "mm",  "",   "ft", "mi",
+                                                       "m", "km", "mil", "um", "cm", "uin"};
+    GlobalParameters parameters(global);
+    for (int n = 1; n < flag_index; ++n) parameters.next();
+    const std::string flag = parameters.next();
+    std::string name = parameters.next();
+    for (std::size_t n = 1; n < by_flag.size(); ++n) {
+        if (flag == std::to_string(n) && !by_flag.at(n).empty()) return std::string(by_flag.at(n));
+    }
+    if (flag != "3") return {};
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (name == "inch") return "in";
+    return find_length_unit(name) == nullptr ? std::string() : name;
+}
+
 CadText prepare_iges(const std::string& text) {
     CadText prepared;
     prepared.text.reserve(text.size());
     constexpr std::string_view sections = "SGDPT";
+    std::string global;
     std::size_t section = 0;
     std::size_t next = 0;
     int number = 0;
@@ -69,6 +132,7 @@ CadText prepare_iges(const std::string& text) {
         }
         if (found < section) return fault(CadFormat::iges, where + " is of an earlier section");
         section = found;
+        if (sections[section] == 'G') global += line.substr(0, section_column);
         std::string mended(line);
         const bool overfull = sections[section] == 'P' && line[data_columns] != ' ';
         if (overfull) mended = without_a_blank(line);
@@ -77,6 +141,7 @@ CadText prepare_iges(const std::string& text) {
         }
         prepared.text += mended + "\n";
     }
+    prepared.unit = iges_unit(global);
     if (sections[section] == 'T') return prepared;
     return fault(CadFormat::iges, "the IGES file is cut short: it has no terminate section");
 }

@@ -13,6 +13,8 @@ struct CadText {
     CadFormat format = CadFormat::iges;
     std::string text;
     std::string error;
+    /// Of an IGES file: a name of length_units, or empty where the file does not say.
+    std::string unit{};
 };
 
 /// Tells IGES from STEP by content and checks that the file is whole. Of parameter lines of an IGES

@@ -155,6 +155,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     expect_mapping(reading, *root, "a case", case_keys(), later_keys());
     refuse_section(reading, *root, "periodic");
     read_title_and_units(reading, *root, c);
+    reading.units = c.units;
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
     const YamlNode* curves = section_of(reading, *root, "curves");
     read_shapes(reading, curves, section_of(reading, *root, "surfaces"), c);

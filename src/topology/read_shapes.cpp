@@ -15,6 +15,7 @@
 #include "geometry/lines.h"
 #include "geometry/naca.h"
 #include "geometry/spline.h"
+#include "topology/read_cad.h"
 #include "topology/read_data_file.h"
 #include "topology/read_nets.h"
 
@@ -266,6 +267,7 @@ const std::vector<CurveFamily>& curve_families() {
         {"airfoil", {"chord", "side", "close_trailing_edge", "symmetric_half"}, read_airfoil_curve},
         {"formula", {"range"}, read_formula_curve},
         {"nurbs", {}, read_nurbs_curve},
+        {"cad", cad_curve_keys(), read_cad_curve},
     };
     return list;
 }

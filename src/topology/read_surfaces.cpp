@@ -14,6 +14,7 @@
 #include "geometry/lines.h"
 #include "geometry/surface.h"
 #include "geometry/surface_parts.h"
+#include "topology/read_cad.h"
 #include "topology/read_family.h"
 #include "topology/read_nets.h"
 #include "topology/read_surface_parameters.h"
@@ -242,6 +243,8 @@ const std::vector<SurfaceFamily>& surface_families() {
         {"control_points",
          {},
          [](Reading& r, const YamlNode& e, Shapes&) { return read_control_points(r, e); }},
+        {"cad", cad_surface_keys(),
+         [](Reading& r, const YamlNode& e, Shapes&) { return read_cad_surface(r, e); }},
         {"of", {}, read_other_surface},
     };
     return list;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,8 @@
 
 namespace hexweave {
 
+struct CadFile;
+
 /// A key that was told as unknown though it is near to a legal one, which is not there: its value
 /// is then read as that of the key that was meant, so that one slip is one fault.
 struct MisspelledKey {
@@ -34,6 +37,9 @@ struct Reading {
     std::shared_ptr<const SourceFile> source;
     ParameterScope parameters{};
     std::vector<MisspelledKey> misspelled{};
+    std::string units = "m";  ///< of the case's lengths
+    /// CAD files by their name as written; null where a fault has been told.
+    std::map<std::string, std::shared_ptr<const CadFile>> cad_files{};
 };
 
 /// A key that is refused with its own words rather than as unknown.

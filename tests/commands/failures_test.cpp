@@ -47,6 +47,7 @@ TEST_CASE("every bad case is refused with the text that stands beside it") {
     int cases = 0;
     for (const auto& entry : fs::directory_iterator(HEXWEAVE_SOURCE_DIR "/tests/cases/bad")) {
         if (entry.path().extension() != ".yaml") continue;
+        if (!HEXWEAVE_HAS_CAD && entry.path().stem() == "cad") continue;
         ++cases;
         const Scratch scratch;
         const std::string name = entry.path().filename().string();
@@ -69,6 +70,59 @@ TEST_CASE("every bad case is refused with the text that stands beside it") {
         CHECK(scratch.hexweave("check " + name).exit_code == 2);
     }
     CHECK(cases >= 25);
+}
+
+TEST_CASE("without Open CASCADE the entries that need it are named") {
+    if (HEXWEAVE_HAS_CAD) return;
+    const Scratch scratch;
+    scratch.write("wing.yaml",
+                  "hexweave: 1\n"
+                  "surfaces:\n"
+                  "  wing: {cad: wing.igs, entity: 1}\n"
+                  "curves:\n"
+                  "  rim: {cad: wing.igs, entity: 1, edge: 2}\n");
+    const Finished run = scratch.hexweave("check wing.yaml");
+    INFO(run.err);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(run.err, "wing.yaml:3:3: error: 'wing' is of a CAD file"));
+    CHECK(contains(run.err, "wing.yaml:5:3: error: 'rim' is of a CAD file"));
+    CHECK(contains(run.err, "-DHEXWEAVE_CAD=ON"));
+    const Finished list = scratch.hexweave("geometry wing.yaml");
+    CHECK(list.exit_code == 2);
+    CHECK(contains(list.err, "-DHEXWEAVE_CAD=ON"));
+}
+
+TEST_CASE("the contents of a CAD file are listed") {
+    if (!HEXWEAVE_HAS_CAD) return;
+    const Scratch scratch;
+    const std::string wing = HEXWEAVE_SOURCE_DIR "/data/wings/taper_wing.igs";
+    const Finished list = scratch.hexweave("geometry --edges " + wing);
+    INFO(list.out << list.err);
+    CHECK(list.exit_code == 0);
+    CHECK(list.err.empty());
+    CHECK(contains(list.out, "taper_wing.igs: IGES, unit of length: in, 6 surfaces, 0 curves\n"));
+    CHECK(contains(list.out,
+                   "entity 9: B-spline surface\n"
+                   "  B-spline surface, degree 3 x 3, 13 x 4 points; u 0 to 1, v 0 to 1\n"));
+    const Finished json = scratch.hexweave("geometry --json - " + wing);
+    const nlohmann::json root = nlohmann::json::parse(json.out);
+    CHECK(root["format"] == "IGES");
+    CHECK(root["unit"] == "in");
+    CHECK(root["entities"].size() == 6);
+    const nlohmann::json& face = root["entities"][4]["faces"][0];
+    CHECK(face["points"] == nlohmann::json{13, 4});
+    CHECK(face["box"]["high"][2].get<double>() == Approx(4.0301).epsilon(1e-2));
+    CHECK(scratch.hexweave("geometry --json list.json " + wing).exit_code == 0);
+    CHECK(scratch.read("list.json") == json.out);
+    CHECK(contains(scratch.hexweave("geometry --help").out, "surfaces: {wing: {cad: FILE"));
+
+    scratch.write("garbage.igs", "nothing of the kind\n");
+    const Finished garbage = scratch.hexweave("geometry garbage.igs");
+    CHECK(garbage.exit_code == 2);
+    CHECK(garbage.out.empty());
+    CHECK(garbage.err ==
+          "hexweave: error: cannot read 'garbage.igs': it is neither an IGES nor a STEP file\n");
+    CHECK(scratch.hexweave("geometry nowhere.igs").exit_code == 2);
 }
 
 TEST_CASE("a config from standard input needs a name for its grid") {

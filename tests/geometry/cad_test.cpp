@@ -96,6 +96,36 @@ TEST_CASE("data in column 65 of an IGES file moves to column 64") {
     CHECK(prepare_cad_text(windows).text == prepared.text);
 }
 
+TEST_CASE("the unit of an IGES file is a number or, for number 3, a name") {
+    const std::string iges = wing_text("taper_wing.igs");
+    const auto unit = [&](const std::string& header) {
+        return prepare_cad_text(replaced(iges, "1.,1,4HINCH", header)).unit;
+    };
+    CHECK(unit("1.,1,4HINCH") == "in");
+    CHECK(unit("1.,2,4HINCH") == "mm");
+    CHECK(unit("1.,3,4HINCH") == "in");
+    CHECK(unit("01.,3,2HUM,") == "um");
+    CHECK(unit("1.,3,4HELLE").empty());
+    CHECK(unit("1.,,04HINCH").empty());
+    CHECK(unit("1.,0,4HINCH").empty());
+    CHECK(unit("1,,10,2HCM,") == "");
+    // A string may run over the end of a line, and other delimiters may be in use.
+    const auto global = [](const std::string& data) {
+        std::string text = std::string(72, ' ') + "S      1\n";
+        for (std::size_t at = 0; at < data.size(); at += 72) {
+            std::string line = data.substr(at, 72);
+            line.resize(72, ' ');
+            text += line + "G      1\n";
+        }
+        return prepare_cad_text(text + std::string(72, ' ') + "T      1\n").unit;
+    };
+    const std::string filled(60, 'a');
+    CHECK(global("1H,,1H;,60H" + filled + ",,,,,,,,,,,3,2HCM;") == "cm");
+    CHECK(global("1H/,1H;/60H" + filled + "///////////3/4HFOOT;").empty());
+    CHECK(global("1H/,1H;/60H" + filled + "///////////4/2HFT;").empty());
+    CHECK(global(",,60H" + filled + ",,,,,,,,,,,6;") == "m");
+}
+
 TEST_CASE("the surfaces of an IGES file are the numbers in it", "[cad]") {
     if (!can_read_cad()) return;
     const std::string text = wing_text("taper_wing.igs");

@@ -51,7 +51,7 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"faces", {"core", "geometry", "topology", "edges", "elliptic"}},
     {"blocks", {"core", "topology", "edges", "faces", "elliptic"}},
     {"quality", {"core", "topology", "edges", "faces", "blocks", "elliptic"}},
-    {"io", {"core", "topology", "edges", "faces", "blocks", "quality", "elliptic"}},
+    {"io", {"core", "geometry", "topology", "edges", "faces", "blocks", "quality", "elliptic"}},
 };
 
 // Third-party headers by prefix, and where they may stand.
