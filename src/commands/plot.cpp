@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "commands/command.h"
-#include "io/cgns.h"
+#include "io/grid_file.h"
 #include "io/output_files.h"
 
 namespace hexweave {
@@ -111,7 +111,7 @@ PictureOptions picture_options(const PlotArguments& arguments) {
 ExitCode plot(const PlotArguments& arguments) {
     const PictureFormat format = picture_format(arguments.output);
     const PictureOptions options = picture_options(arguments);
-    const MultiblockGrid grid = read_cgns(arguments.grid);
+    const MultiblockGrid grid = read_grid(arguments.grid);
     OutputFiles files;
     PictureSummary shown;
     files.write(files.stage(arguments.output), [&](const std::filesystem::path& temporary) {
@@ -129,7 +129,8 @@ ExitCode plot(const PlotArguments& arguments) {
 void add_plot(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("plot", "draw a picture of a grid");
     const auto arguments = std::make_shared<PlotArguments>();
-    command->add_option("GRID", arguments->grid, "the grid: a structured CGNS file")->required();
+    command->add_option("GRID", arguments->grid, "the grid: a structured CGNS or a Plot3D file")
+        ->required();
     command
         ->add_option("-o,--output", arguments->output,
                      "the picture: a name that ends in .png or .svg")

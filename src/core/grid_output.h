@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which files a grid is written to: the format of each, its path, and what that format leaves open.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hexweave {
+
+enum class GridFormat { cgns, plot3d, vtk, openfoam };
+
+/// How a Plot3D file holds its numbers: as text; as a Fortran program writes them unformatted, each
+/// record between two 4-byte counts of its bytes; or as bare bytes one after the other.
+enum class Plot3dForm { text, unformatted, stream };
+
+enum class ByteOrder { little, big };
+
+struct GridOutput {
+    GridFormat format = GridFormat::cgns;
+    std::string path;  ///< a file; for OpenFOAM the folder of the case
+    Plot3dForm form = Plot3dForm::unformatted;
+    ByteOrder byte_order = ByteOrder::little;
+};
+
+/// The format that files with this ending (".cgns") have: nothing for an unknown one. No ending
+/// tells a case of OpenFOAM.
+std::optional<GridFormat> format_of_ending(std::string_view ending);
+/// ".cgns; .p3d, .p2d, ... for Plot3D; ...": for messages.
+std::string known_endings();
+/// The form that a Plot3D file with this ending has where nothing else is said.
+Plot3dForm plot3d_form_of_ending(std::string_view ending);
+/// ".p3d, .p2d, ...".
+std::string plot3d_endings();
+
+}  // namespace hexweave
