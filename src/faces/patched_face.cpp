@@ -81,38 +81,23 @@ void PatchedFace::project_interior(PointField& points) {
 }
 
 PatchPoint PatchedFace::moved_to(const PointField& points, const CellPlace& place) const {
-    const auto [i, j, alpha, beta] = place;
-    const std::array<const PatchPoint*, 4> corners{&at(i, j), &at(i + 1, j), &at(i, j + 1),
-                                                   &at(i + 1, j + 1)};
-    const auto blended = [a = alpha, b = beta](const std::array<double, 4>& v) {
-        return between(between(v[0], v[1], a), between(v[2], v[3], a), b);
-    };
+    const int i = place.i;
+    const int j = place.j;
+    // A boundary node may be a pole of its surface, from where no way leads downhill.
+    std::array<std::array<int, 2>, 4> corners{{{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}};
+    std::stable_partition(corners.begin(), corners.end(), [&](const auto& n) {
+        return n[0] > 0 && n[0] < extent_.ni - 1 && n[1] > 0 && n[1] < extent_.nj - 1;
+    });
     std::vector<PatchPoint> starts;
-    for (const PatchPoint* corner : corners) {
+    for (const auto& [a, b] : corners) {
+        const PatchPoint& corner = at(a, b);
         if (std::none_of(starts.begin(), starts.end(),
-                         [&](const PatchPoint& p) { return p.patch == corner->patch; })) {
-            starts.push_back(*corner);
+                         [&](const PatchPoint& p) { return p.patch == corner.patch; })) {
+            starts.push_back(corner);
         }
     }
-    if (starts.size() == 1) {
-        const int patch = starts.front().patch;
-        const Surface& surface = surfaces_.surface(patch);
-        std::array<double, 4> u{};
-        std::array<double, 4> v{};
-        for (std::size_t n = 0; n < 4; ++n) {
-            const SurfaceParameters at_corner =
-                continued(surface, corners[n]->point.parameters, corners[0]->point.parameters);
-            u[n] = at_corner.u;
-            v[n] = at_corner.v;
-        }
-        const SurfaceParameters to{blended(u), blended(v)};
-        return {patch, {to, evaluate(surface, to), 0}};
-    }
-    const auto p = [&](double Vec3::*x) {
-        return blended(
-            {points(i, j).*x, points(i + 1, j).*x, points(i, j + 1).*x, points(i + 1, j + 1).*x});
-    };
-    return surfaces_.nearest_from({p(&Vec3::x), p(&Vec3::y), p(&Vec3::z)}, starts);
+    return surfaces_.nearest_from({place.of(points.x), place.of(points.y), place.of(points.z)},
+                                  starts);
 }
 
 double PatchedFace::move_nodes(PointField& points, const Field& s, const Field& t,

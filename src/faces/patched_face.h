@@ -29,9 +29,8 @@ public:
     /// How far the boundary nodes are off the surfaces.
     const OffSurface& off_surface() const { return off_; }
 
-    /// For the solve and untangling; valid as long as this object stays where it is. Where all
-    /// corners of a cell are on one surface, nodes move in the plane of its parameters, elsewhere
-    /// in space and then to the nearest surface.
+    /// For the solve and untangling; valid as long as this object stays where it is. Nodes move in
+    /// space and then to the nearest surface: parameters of a cell beside a pole lead elsewhere.
     BoundFace bound();
 
 private:
