@@ -50,6 +50,11 @@ const std::vector<ShippedCase> shipped_cases{
      "--families wing farfield outflow root tip"},
     {"rounded_tip", "--set chordwise=24 --set spanwise=20 --set normal=20", 1, 9600,
      "--zones above=25x21x21 --families wing farfield root middle"},
+    {"onera_m6",
+     "--set chordwise=24 --set spanwise=12 --set cap_cells=8 --set wake_cells=20 --set normal=24",
+     4, 42240,
+     "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
+     "--families wing symmetry farfield outflow"},
 };
 
 /// Interfaces whose two sides differ in any bit, by the nodes of the file.
