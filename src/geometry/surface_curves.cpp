@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "geometry/knots.h"
 #include "geometry/spline.h"
@@ -103,6 +104,33 @@ bool ends_meet(const Curve& curve) {
     return distance(start, curve.position(curve.end)) <= 1e-12 * reach;
 }
 
+/// How often a line goes round along one parameter.
+double whole_turns(double difference, const std::array<double, 2>& range, bool closed) {
+    return closed ? std::round(difference / (range[1] - range[0])) : 0;
+}
+
+/// The closed spline in the plane of the parameters, or beside it: along a closed parameter the
+/// line may come back whole periods later. Nothing where its ends do not belong together.
+std::optional<Curve> periodic_spline(const Surface& surface, const std::vector<double>& knots,
+                                     std::vector<Vec3> parameters) {
+    const double width_u = surface.range_u[1] - surface.range_u[0];
+    const double width_v = surface.range_v[1] - surface.range_v[0];
+    const Vec3 apart = parameters.back() - parameters.front();
+    const Vec3 turn{width_u * whole_turns(apart.x, surface.range_u, surface.closed_u),
+                    width_v * whole_turns(apart.y, surface.range_v, surface.closed_v), 0};
+    constexpr double same = 1e-9;  // of the range
+    const Vec3 gap = apart - turn;
+    if (std::abs(gap.x) > same * width_u || std::abs(gap.y) > same * width_v) return std::nullopt;
+    const Vec3 ramp = turn / knots.back();
+    for (std::size_t n = 0; n < knots.size(); ++n) parameters[n] -= knots[n] * ramp;
+    parameters.back() = parameters.front();
+    const Curve ring = spline_at(knots, parameters);
+    Curve line = ring;
+    line.position = [at = ring.position, ramp](double t) { return at(t) + t * ramp; };
+    line.derivative = [along = ring.derivative, ramp](double t) { return along(t) + ramp; };
+    return line;
+}
+
 }  // namespace
 
 Curve curve_on(const Surface& surface, const Curve& plane) {
@@ -142,7 +170,7 @@ Curve line_of_equal_v(const Surface& surface, double v, double begin, double end
     return curve_on(surface, line);
 }
 
-ProjectedCurve curve_through(const Surface& surface, const std::vector<Vec3>& points) {
+ProjectedCurve curve_through(const Surface& surface, const std::vector<Vec3>& points, bool corner) {
     ProjectedCurve made;
     if (points.size() < 2) {
         made.fault = "a curve needs at least two points";
@@ -165,7 +193,16 @@ ProjectedCurve curve_through(const Surface& surface, const std::vector<Vec3>& po
         made.fault = "points " + std::to_string(n) + " and " + std::to_string(n + 1) + " coincide";
         return made;
     }
-    made.curve = curve_on(surface, spline_at(chord_length_knots(feet), parameters));
+    const bool smooth = points.front() == points.back() && points.size() > 3 && !corner;
+    const std::vector<double> knots = chord_length_knots(feet);
+    std::optional<Curve> plane;
+    if (smooth) plane = periodic_spline(surface, knots, parameters);
+    if (!plane) {
+        SplineEnds ends;
+        ends.corner = true;
+        plane = spline_at(knots, parameters, ends);
+    }
+    made.curve = curve_on(surface, *plane);
     return made;
 }
 

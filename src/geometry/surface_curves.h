@@ -30,8 +30,10 @@ struct ProjectedCurve {
 };
 
 /// Its u and v are cubic splines through those of the nearest points, over the length of the
-/// polyline between these; closed where the first and last are the same. Not of less than two
-/// points, nor of consecutive ones that coincide on the surface.
-ProjectedCurve curve_through(const Surface& surface, const std::vector<Vec3>& points);
+/// polyline between these. Closed where the first and last point are the same, and then smooth
+/// there unless a `corner` is asked. Not of less than two points, nor of consecutive ones that
+/// coincide on the surface.
+ProjectedCurve curve_through(const Surface& surface, const std::vector<Vec3>& points,
+                             bool corner = false);
 
 }  // namespace hexweave

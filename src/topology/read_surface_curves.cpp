@@ -10,6 +10,7 @@
 
 #include "geometry/lines.h"
 #include "geometry/surface_curves.h"
+#include "geometry/surface_projection.h"
 #include "geometry/transform.h"
 #include "topology/read_data_file.h"
 #include "topology/read_surface_parameters.h"
@@ -81,8 +82,30 @@ MaybeCurve read_side_of(Reading& reading, const YamlNode& node, const Surface& s
     return line_at(surface, of_u ? u : v, (of_u ? u : v).range.at(*side % 2), (of_u ? v : u).range);
 }
 
-std::optional<Vec3> read_parameter_point(Reading& reading, const YamlNode& node,
-                                         const Surface& surface) {
+/// Tells of a point that is projected from too far away; false then.
+bool check_near(Reading& reading, const YamlNode& node, const Vec3& point, double distance,
+                double size) {
+    if (distance <= near_surface * size) return true;
+    reading.diagnostics.error(node.place,
+                              fmt::format("the point {} is {} away from the surface",
+                                          point_text(point), number_text(distance)),
+                              fmt::format("points are projected on it, and may be {} away",
+                                          number_text(near_surface * size)));
+    return false;
+}
+
+/// [u, v], or [x, y, z] for the nearest point of the surface.
+std::optional<Vec3> read_end(Reading& reading, const YamlNode& node, const Surface& surface) {
+    if (node.is_sequence() && node.children.size() == 3) {
+        const auto point = read_point(reading, node, "an end of 'line'");
+        if (!point) return std::nullopt;
+        const SurfaceProjection projection(surface);
+        const SurfacePoint foot = projection.nearest(*point);
+        if (!check_near(reading, node, *point, foot.distance, projection.size())) {
+            return std::nullopt;
+        }
+        return Vec3{foot.parameters.u, foot.parameters.v, 0};
+    }
     if (!expect_list(reading, node, "an end of 'line'", 2)) return std::nullopt;
     const auto u =
         read_parameter(reading, node.children[0], "u", surface.range_u, surface.closed_u);
@@ -93,30 +116,28 @@ std::optional<Vec3> read_parameter_point(Reading& reading, const YamlNode& node,
 
 MaybeCurve read_line_between(Reading& reading, const YamlNode& node, const Surface& surface) {
     if (!expect_list(reading, node, "'line'", 2)) return std::nullopt;
-    const auto from = read_parameter_point(reading, node.children[0], surface);
-    const auto to = read_parameter_point(reading, node.children[1], surface);
+    const auto from = read_end(reading, node.children[0], surface);
+    const auto to = read_end(reading, node.children[1], surface);
     if (!from || !to) return std::nullopt;
     if (!(*from == *to)) return curve_on(surface, straight_line(*from, *to));
     reading.diagnostics.error(node.place, "the two ends of this line are the same");
     return std::nullopt;
 }
 
-MaybeCurve read_curve_through(Reading& reading, const YamlNode& node, const Surface& surface) {
+MaybeCurve read_curve_through(Reading& reading, const YamlNode& entry, const Surface& surface) {
+    const YamlNode& node = *find(reading, entry, "points");
     const auto points = read_points(reading, node, "'points'");
-    if (!points) return std::nullopt;
-    const ProjectedCurve made = curve_through(surface, *points);
+    const auto corner = read_switch(reading, entry, "corner");
+    if (!points || !corner) return std::nullopt;
+    const ProjectedCurve made = curve_through(surface, *points, *corner);
     if (!made.fault.empty()) {
         reading.diagnostics.error(node.place, made.fault);
         return std::nullopt;
     }
-    if (made.distance <= near_surface * made.size) return made.curve;
-    reading.diagnostics.error(
-        node.place,
-        fmt::format("a point of 'points' is {} away from the surface: {}",
-                    number_text(made.distance), point_text((*points)[made.farthest])),
-        fmt::format("they are projected on it, and may be {} away",
-                    number_text(near_surface * made.size)));
-    return std::nullopt;
+    if (!check_near(reading, node, (*points)[made.farthest], made.distance, made.size)) {
+        return std::nullopt;
+    }
+    return made.curve;
 }
 
 /// Whether a curve has a length: the side of a surface may be a point.
@@ -133,7 +154,7 @@ bool has_length(const Curve& curve) {
 }  // namespace
 
 const Keys& surface_curve_keys() {
-    static const Keys keys{"u", "v", "side", "line", "points"};
+    static const Keys keys{"u", "v", "side", "line", "points", "corner"};
     return keys;
 }
 
@@ -154,11 +175,17 @@ MaybeCurve read_surface_curve(Shapes& shapes, const YamlNode& entry) {
         return std::nullopt;
     }
     if (!surface) return std::nullopt;
-    MaybeCurve curve =
-        find(reading, entry, "side")     ? read_side_of(reading, *ways[0], *surface)
-        : find(reading, entry, "line")   ? read_line_between(reading, *ways[0], *surface)
-        : find(reading, entry, "points") ? read_curve_through(reading, *ways[0], *surface)
-                                         : read_line_of_equal(reading, entry, *surface);
+    const YamlNode& way = *ways.front();
+    MaybeCurve curve;
+    if (find(reading, entry, "side") != nullptr) {
+        curve = read_side_of(reading, way, *surface);
+    } else if (find(reading, entry, "line") != nullptr) {
+        curve = read_line_between(reading, way, *surface);
+    } else if (find(reading, entry, "points") != nullptr) {
+        curve = read_curve_through(reading, entry, *surface);
+    } else {
+        curve = read_line_of_equal(reading, entry, *surface);
+    }
     if (!curve || has_length(*curve)) return curve;
     reading.diagnostics.error(entry.key_place, fmt::format("curve '{}' has no length", entry.key),
                               "the surface shrinks to a point there");

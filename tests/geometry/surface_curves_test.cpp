@@ -129,6 +129,31 @@ TEST_CASE("a curve through points lies on the surface, through the nearest point
     CHECK(curve_through(ball, {points[0], 2 * points[0]}).fault == "points 1 and 2 coincide");
 }
 
+TEST_CASE("a closed curve through points is smooth where it closes, unless a corner is asked") {
+    const auto kink = [](const Curve& c) {
+        const Vec3 a = c.derivative(c.begin);
+        const Vec3 b = c.derivative(c.end);
+        return distance(a / norm(a), b / norm(b));
+    };
+    std::vector<Vec3> loop;    // on one side of a tube
+    std::vector<Vec3> around;  // once round it
+    for (int n = 0; n <= 16; ++n) {
+        const double t = n == 16 ? 0 : 2 * pi * n / 16;
+        const double u = 1 + 0.5 * std::sin(t);
+        loop.push_back({2 * std::cos(u), 2 * std::sin(u), 1.5 + 0.5 * std::cos(t)});
+        around.push_back({2 * std::cos(t + 1), 2 * std::sin(t + 1), 1.5 + 0.5 * std::cos(t)});
+    }
+    for (const std::vector<Vec3>& points : {loop, around}) {
+        const ProjectedCurve smooth = curve_through(tube(), points);
+        REQUIRE(smooth.fault.empty());
+        CHECK(smooth.curve.closed);
+        CHECK(kink(smooth.curve) < 1e-12);
+        CHECK(curve_through(tube(), points, true).curve.closed);
+        CHECK(kink(curve_through(tube(), points, true).curve) > 1e-4);
+        for (const Vec3& p : points) CHECK(project(smooth.curve, p).distance < 1e-12);
+    }
+}
+
 TEST_CASE("a part of a surface has its points, and is closed when it goes once round") {
     const Surface half = surface_part(tube(), {1.5 * pi, 2.5 * pi}, {0.25, 0.5});
     CHECK_FALSE(half.closed_u);
