@@ -55,6 +55,12 @@ const std::vector<ShippedCase> shipped_cases{
      4, 42240,
      "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
      "--families wing symmetry farfield outflow"},
+    {"unit_square", "", 4, 6400,
+     "--zones mild=41x41x1 strong=41x41x1 first_mild=41x41x1 first_strong=41x41x1 --families rim"},
+    {"tanh", "", 2, 3200, "--zones left=41x41x1 right=41x41x1 --families rim"},
+    {"pylon", "", 7, 14336,
+     "--zones nose=65x33x1 side_in=65x33x1 side_out=65x33x1 wake_in=33x33x1 wake_out=33x33x1 "
+     "inboard=97x33x1 outboard=97x33x1 --families pylon rim"},
 };
 
 /// Interfaces whose two sides differ in any bit, by the nodes of the file.
