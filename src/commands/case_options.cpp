@@ -40,6 +40,23 @@ std::string tally(const Diagnostics& d) {
 
 }  // namespace
 
+ExitCode guarded(const std::function<ExitCode()>& body, std::string& failure) {
+    const auto failed = [&failure](ExitCode code, const std::string& message) {
+        failure = message;
+        print_errors("hexweave: error: " + message + "\n");
+        return code;
+    };
+    try {
+        return body();
+    } catch (const UsageError& e) {
+        return failed(ExitCode::wrong_input, e.what());
+    } catch (const MachineError& e) {
+        return failed(ExitCode::machine_failed, e.what());
+    } catch (const std::bad_alloc&) {
+        return failed(ExitCode::machine_failed, "out of memory; nothing was written");
+    }
+}
+
 void write_json_text(const std::string& text, const std::string& path) {
     if (path == "-") {
         std::fputs(text.c_str(), stdout);
@@ -57,32 +74,6 @@ void write_json_text(const std::string& text, const std::string& path) {
     });
     files.commit();
 }
-
-namespace {
-
-/// The body, with every failure turned into its message and exit code.
-ExitCode guarded(const std::function<ExitCode(Outcome&)>& body, Outcome& outcome) {
-    const auto failed = [&outcome](ExitCode code, const std::string& message) {
-        outcome.failure = message;
-        print_errors("hexweave: error: " + message + "\n");
-        return code;
-    };
-    try {
-        return body(outcome);
-    } catch (const InputError& e) {
-        outcome.diagnostics = e.diagnostics;
-        print_errors(render(e.diagnostics) + tally(e.diagnostics));
-        return ExitCode::wrong_input;
-    } catch (const UsageError& e) {
-        return failed(ExitCode::wrong_input, e.what());
-    } catch (const MachineError& e) {
-        return failed(ExitCode::machine_failed, e.what());
-    } catch (const std::bad_alloc&) {
-        return failed(ExitCode::machine_failed, "out of memory; nothing was written");
-    }
-}
-
-}  // namespace
 
 void add_case_options(CLI::App& command, CaseOptions& options) {
     command.add_option("CONFIG", options.config, "the YAML file; - reads standard input")
@@ -154,21 +145,27 @@ ExitCode run_case_command(const char* command, const CaseOptions& options,
     outcome.command = command;
     outcome.config = options.config;
     ExitCode code = guarded(
-        [&](Outcome& o) {
+        [&] {
             if (!options.level.empty()) {
                 throw UsageError("--level: grid levels come with a later version; remove it");
             }
-            return body(o);
+            try {
+                return body(outcome);
+            } catch (const InputError& e) {
+                outcome.diagnostics = e.diagnostics;
+                print_errors(render(e.diagnostics) + tally(e.diagnostics));
+                return ExitCode::wrong_input;
+            }
         },
-        outcome);
+        outcome.failure);
     outcome.exit_code = static_cast<int>(code);
     if (!options.json.empty()) {
         const ExitCode written = guarded(
-            [&options](Outcome& o) {
-                write_json_text(to_json(o), options.json);
+            [&] {
+                write_json_text(to_json(outcome), options.json);
                 return ExitCode::done;
             },
-            outcome);
+            outcome.failure);
         if (written != ExitCode::done) code = written;
     }
     return code;

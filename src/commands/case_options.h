@@ -35,6 +35,10 @@ std::shared_ptr<const SourceFile> read_source(const std::string& config);
 /// Writes a text that is JSON to a file; "-" prints it.
 void write_json_text(const std::string& text, const std::string& path);
 
+/// Runs a body and turns every failure into its message, on standard error and in `failure`, and
+/// its exit code: wrong_input for a UsageError, machine_failed for the machine's failures.
+ExitCode guarded(const std::function<ExitCode()>& body, std::string& failure);
+
 /// Splits NAME=EXPR. Throws UsageError for anything else.
 std::vector<Override> parse_overrides(const std::vector<std::string>& set);
 

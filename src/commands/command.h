@@ -16,5 +16,6 @@ void add_run(CLI::App& app, ChosenCommand& chosen);
 void add_check(CLI::App& app, ChosenCommand& chosen);
 void add_plot(CLI::App& app, ChosenCommand& chosen);
 void add_geometry(CLI::App& app, ChosenCommand& chosen);
+void add_compare(CLI::App& app, ChosenCommand& chosen);
 
 }  // namespace hexweave

@@ -3,6 +3,7 @@
 // readers read and the measures measure; it knows nothing of how the grid was made.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,15 @@ struct Zone {
     PointField points;
 };
 
+/// What carries the nodes of an interface's own zone onto those of its donor, where they are not
+/// the same points (CGNS: Periodic_t): a rotation about `center` by `angle` about x, y and z, in
+/// radians, or a translation.
+struct Periodicity {
+    Vec3 center;
+    Vec3 angle;
+    Vec3 translation;
+};
+
 /// A one-to-one interface, stored once; the writers write it on both sides. `box` runs forwards;
 /// `donor_box` holds the donor nodes of box.begin and box.end. `orientation` takes the axes of
 /// `zone` to those of `donor`. Zone and donor may be the same (a cut).
@@ -27,6 +37,7 @@ struct Interface {
     int donor = 0;
     IndexBox donor_box;
     Orientation orientation;
+    std::optional<Periodicity> periodic = std::nullopt;
 };
 
 /// The node of the donor zone that node `n` of the interface's own zone falls on.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the CGNS reader, the writer and the rewriting pass share: handles that close themselves, the
-// reason behind a failure, and the names that both libraries know by number. Only those three
-// include it: libcgns puts macros and short enumerators into the global namespace.
+// reason behind a failure, and the names that both libraries know by number. Only they include
+// it: libcgns puts macros and short enumerators into the global namespace.
 #pragma once
 
 #include <cgnslib.h>

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <csignal>
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -15,10 +10,11 @@
 #include "core/errors.h"
 #include "io/cgns.h"
 #include "io/cgns_source.h"
-#include "io/output_files.h"
 
 namespace hexweave {
 namespace {
+
+constexpr std::array<const char*, 3> coordinate_names{"CoordinateX", "CoordinateY", "CoordinateZ"};
 
 /// The length unit at the current node; empty when none is given.
 std::string read_units() {
@@ -31,7 +27,7 @@ std::string read_units() {
     return unit_symbol(length);
 }
 
-void read_descriptors(const CgnsSource& source, MultiblockGrid& grid) {
+void read_descriptors(const CgnsSource& source, GridOutline& grid) {
     int descriptors = 0;
     source.check(cg_ndescriptors(&descriptors));
     for (int number = 1; number <= descriptors; ++number) {
@@ -45,7 +41,7 @@ void read_descriptors(const CgnsSource& source, MultiblockGrid& grid) {
     }
 }
 
-void read_base(const CgnsSource& source, MultiblockGrid& grid) {
+void read_base(const CgnsSource& source, GridOutline& grid) {
     int bases = 0;
     source.check(cg_nbases(source.file(), &bases));
     if (bases < 1) source.cannot_read("it holds no base");
@@ -79,7 +75,7 @@ std::string read_meaning(const CgnsSource& source, int family, const std::string
 }
 
 /// Families that say a boundary condition; others (of volumes) are none of ours.
-void read_families(const CgnsSource& source, MultiblockGrid& grid) {
+void read_families(const CgnsSource& source, GridOutline& grid) {
     int families = 0;
     source.check(cg_nfamilies(source.file(), CgnsSource::base(), &families));
     for (int number = 1; number <= families; ++number) {
@@ -110,9 +106,9 @@ void require_memory(const CgnsSource& source, const std::string& zone, const Ext
                                    zone, needed / giga, present / giga));
 }
 
-/// Reads one coordinate as doubles, and its units when the base has none.
-void read_coordinate(const CgnsSource& source, int zone, const std::string& name,
-                     const std::string& zone_name, Field& values, std::string& units) {
+/// Throws unless the zone has the coordinate; reads its units when the base has none.
+void look_at_coordinate(const CgnsSource& source, int zone, const std::string& name,
+                        const std::string& zone_name, std::string& units) {
     int coordinates = 0;
     source.check(cg_ncoords(source.file(), CgnsSource::base(), zone, &coordinates));
     int found = 0;
@@ -124,11 +120,6 @@ void read_coordinate(const CgnsSource& source, int zone, const std::string& name
         if (name == candidate.data()) found = number;
     }
     if (found == 0) source.cannot_read(fmt::format("zone '{}' has no {}", zone_name, name));
-    const Extent& extent = values.extent();
-    const std::array<cgsize_t, 3> first{1, 1, 1};
-    const std::array<cgsize_t, 3> last{extent.ni, extent.nj, extent.nk};
-    source.check(cg_coord_read(source.file(), CgnsSource::base(), zone, name.c_str(), RealDouble,
-                               first.data(), last.data(), values.data()));
     if (!units.empty()) return;
     source.check(cg_goto(source.file(), CgnsSource::base(), "Zone_t", zone, "GridCoordinates_t", 1,
                          "DataArray_t", found, "end"));
@@ -155,77 +146,42 @@ Extent read_extent(const CgnsSource& source, int number, int cell_dimension, Cgn
     return {nodes[0], nodes[1], nodes[2]};
 }
 
-void read_zone(const CgnsSource& source, int number, MultiblockGrid& grid) {
+void look_at_zone(const CgnsSource& source, int number, GridOutline& grid) {
     CgnsName name{};
     const Extent extent = read_extent(source, number, grid.cell_dimension, name);
-    require_memory(source, name.data(), extent);
-    Zone zone{name.data(), PointField(extent)};
-    read_coordinate(source, number, "CoordinateX", zone.name, zone.points.x, grid.units);
-    read_coordinate(source, number, "CoordinateY", zone.name, zone.points.y, grid.units);
-    if (grid.physical_dimension == 3) {
-        read_coordinate(source, number, "CoordinateZ", zone.name, zone.points.z, grid.units);
+    for (int axis = 0; axis < grid.physical_dimension; ++axis) {
+        look_at_coordinate(source, number, coordinate_names[static_cast<std::size_t>(axis)],
+                           name.data(), grid.units);
     }
-    grid.zones.push_back(std::move(zone));
+    grid.zones.push_back({name.data(), extent});
+}
+
+Zone read_zone(const CgnsSource& source, const GridOutline& outline, int number) {
+    const ZoneOutline& zone = outline.zones[static_cast<std::size_t>(number)];
+    require_memory(source, zone.name, zone.extent);
+    Zone result{zone.name, PointField(zone.extent)};
+    PointField& p = result.points;
+    const IndexBox whole{{0, 0, 0}, {zone.extent.ni - 1, zone.extent.nj - 1, zone.extent.nk - 1}};
+    read_points(source, outline, number, whole, {p.x.data(), p.y.data(), p.z.data()});
+    return result;
 }
 
 MultiblockGrid read_grid(const std::filesystem::path& path) {
     const CgnsSource source(path);
+    GridOutline outline = read_outline(source);
     MultiblockGrid grid;
-    read_base(source, grid);
-    read_families(source, grid);
-    int zones = 0;
-    source.check(cg_nzones(source.file(), CgnsSource::base(), &zones));
-    if (zones < 1) source.cannot_read("it holds no zones");
-    for (int zone = 1; zone <= zones; ++zone) read_zone(source, zone, grid);
-    read_interfaces(source, grid);
-    read_patches(source, grid);
+    for (int zone = 0; zone < static_cast<int>(outline.zones.size()); ++zone) {
+        grid.zones.push_back(read_zone(source, outline, zone));
+    }
+    grid.title = std::move(outline.title);
+    grid.units = std::move(outline.units);
+    grid.cell_dimension = outline.cell_dimension;
+    grid.physical_dimension = outline.physical_dimension;
+    grid.interfaces = std::move(outline.interfaces);
+    grid.families = std::move(outline.families);
+    grid.patches = std::move(outline.patches);
+    grid.provenance = std::move(outline.provenance);
     return grid;
-}
-
-/// The child's part of `rehearse`: reads the file, writes the error there is to `answer`.
-[[noreturn]] void read_and_answer(const std::filesystem::path& path, int answer) {
-    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGABRT, SIGFPE}) {
-        std::signal(signal_number, SIG_DFL);
-    }
-    const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    try {
-        read_grid(path);
-    } catch (const UsageError& error) {
-        const std::string text = error.what();
-        if (write(answer, text.data(), text.size()) < 0) _exit(1);
-    } catch (const std::exception&) {
-        // The machine's failure (out of memory), not the file's: the parent will meet it as well.
-    }
-    _exit(0);
-}
-
-/// Reads the file in a child process first, and throws what it met: on damaged files libcgns and
-/// HDF5 run over the ends of their arrays, or call exit.
-void rehearse(const std::filesystem::path& path) {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw MachineError("cannot make a pipe");
-    const pid_t child = fork();
-    if (child == 0) read_and_answer(path, ends[1]);
-    close(ends[1]);
-    std::string text;
-    std::array<char, 4096> part{};
-    ssize_t size = 0;
-    do {
-        size = read(ends[0], part.data(), part.size());
-        if (size > 0) text.append(part.data(), static_cast<std::size_t>(size));
-    } while (size > 0 || (size < 0 && errno == EINTR));
-    close(ends[0]);
-    if (child < 0) throw MachineError("cannot start another process");
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    if (!text.empty()) throw UsageError(text);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw UsageError(fmt::format("cannot read '{}': it is damaged", path.string()));
-    }
 }
 
 }  // namespace
@@ -247,18 +203,43 @@ void CgnsSource::damaged() const {
     cannot_read(fmt::format("it is damaged ({})", cg_get_error()));
 }
 
-MultiblockGrid read_cgns(const std::filesystem::path& path) {
-    const auto cannot_read = [&](const std::string& reason) {
-        throw UsageError(fmt::format("cannot read '{}': {}", path.string(), reason));
-    };
-    struct stat status = {};
-    if (stat(path.c_str(), &status) != 0) {
-        cannot_read(errno == ENOENT ? "no such file" : error_reason(errno));
+GridOutline read_outline(const CgnsSource& source) {
+    GridOutline grid;
+    read_base(source, grid);
+    read_families(source, grid);
+    int zones = 0;
+    source.check(cg_nzones(source.file(), CgnsSource::base(), &zones));
+    if (zones < 1) source.cannot_read("it holds no zones");
+    for (int zone = 1; zone <= zones; ++zone) look_at_zone(source, zone, grid);
+    read_interfaces(source, grid);
+    read_patches(source, grid);
+    return grid;
+}
+
+void read_points(const CgnsSource& source, const GridOutline& grid, int zone, const IndexBox& box,
+                 const std::array<double*, 3>& to) {
+    std::array<cgsize_t, 3> first{};
+    std::array<cgsize_t, 3> last{};
+    std::size_t nodes = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        first[axis] = box.begin[axis] + 1;
+        last[axis] = box.end[axis] + 1;
+        nodes *= static_cast<std::size_t>(box.end[axis] - box.begin[axis] + 1);
     }
-    if (S_ISDIR(status.st_mode)) cannot_read("it is a folder");
-    if (!S_ISREG(status.st_mode)) cannot_read("it is not a regular file");
-    if (access(path.c_str(), R_OK) != 0) cannot_read(error_reason(errno));
-    rehearse(path);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (static_cast<int>(axis) >= grid.physical_dimension) {
+            std::fill_n(to[axis], nodes, 0.0);
+            continue;
+        }
+        source.check(cg_coord_read(source.file(), CgnsSource::base(), zone + 1,
+                                   coordinate_names[axis], RealDouble, first.data(), last.data(),
+                                   to[axis]));
+    }
+}
+
+MultiblockGrid read_cgns(const std::filesystem::path& path) {
+    require_readable(path);
+    rehearse(path, [&path] { read_grid(path); });
     return read_grid(path);
 }
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "io/cgns_interface.h"
+#include "core/interface_sides.h"
 #include "io/cgns_source.h"
 
 namespace hexweave {
 namespace {
 
-const Zone& zone_of(const MultiblockGrid& grid, int zone) {
+const ZoneOutline& zone_of(const GridOutline& grid, int zone) {
     return grid.zones[static_cast<std::size_t>(zone)];
 }
 
@@ -60,8 +60,21 @@ bool boxes_agree(const Interface& interface) {
     return true;
 }
 
-Interface read_interface(const CgnsSource& source, const MultiblockGrid& grid, int zone,
-                         int number) {
+/// What carries the two sides of an interface onto each other; nothing where they are the same
+/// points.
+std::optional<Periodicity> read_periodicity(const CgnsSource& source, int zone, int number) {
+    std::array<float, 3> center{};
+    std::array<float, 3> angle{};
+    std::array<float, 3> translation{};
+    const int answer = cg_1to1_periodic_read(source.file(), CgnsSource::base(), zone + 1, number,
+                                             center.data(), angle.data(), translation.data());
+    if (answer == CG_NODE_NOT_FOUND) return std::nullopt;
+    source.check(answer);
+    const auto vector = [](const std::array<float, 3>& v) { return Vec3{v[0], v[1], v[2]}; };
+    return Periodicity{vector(center), vector(angle), vector(translation)};
+}
+
+Interface read_interface(const CgnsSource& source, const GridOutline& grid, int zone, int number) {
     CgnsName name{};
     CgnsName donor{};
     std::array<cgsize_t, 6> range{};
@@ -73,7 +86,7 @@ Interface read_interface(const CgnsSource& source, const MultiblockGrid& grid, i
         fmt::format("interface '{}' of zone '{}'", name.data(), zone_of(grid, zone).name);
     const auto place =
         std::find_if(grid.zones.begin(), grid.zones.end(),
-                     [&](const Zone& candidate) { return candidate.name == donor.data(); });
+                     [&](const ZoneOutline& candidate) { return candidate.name == donor.data(); });
     if (place == grid.zones.end()) {
         source.cannot_read(
             fmt::format("{} leads to '{}', which is not in the file", what, donor.data()));
@@ -84,12 +97,13 @@ Interface read_interface(const CgnsSource& source, const MultiblockGrid& grid, i
                            to_box(range.data(), grid.cell_dimension),
                            donor_zone,
                            to_box(donor_range.data(), grid.cell_dimension),
-                           Orientation{transform}};
+                           Orientation{transform},
+                           read_periodicity(source, zone, number)};
     if (!is_permutation(result.orientation, grid.cell_dimension)) {
         source.cannot_read(fmt::format("{} has no valid Transform", what));
     }
-    if (!lies_in(result.box, zone_of(grid, zone).points.extent()) ||
-        !lies_in(result.donor_box, place->points.extent())) {
+    if (!lies_in(result.box, zone_of(grid, zone).extent) ||
+        !lies_in(result.donor_box, place->extent)) {
         source.cannot_read(fmt::format("{} lies outside its zones", what));
     }
     if (!boxes_agree(result)) {
@@ -172,9 +186,9 @@ Condition read_condition(const CgnsSource& source, const std::string& zone_name,
     return condition;
 }
 
-IndexBox read_nodes(const CgnsSource& source, const MultiblockGrid& grid, int zone, int number,
+IndexBox read_nodes(const CgnsSource& source, const GridOutline& grid, int zone, int number,
                     const Condition& condition) {
-    const Extent& extent = zone_of(grid, zone).points.extent();
+    const Extent& extent = zone_of(grid, zone).extent;
     const bool is_range = condition.set == PointRange || condition.set == ElementRange;
     const bool is_list = condition.set == PointList || condition.set == ElementList;
     std::optional<IndexBox> box;
@@ -228,7 +242,7 @@ int read_family(const CgnsSource& source, int zone, int number, const Condition&
 
 }  // namespace
 
-void read_interfaces(const CgnsSource& source, MultiblockGrid& grid) {
+void read_interfaces(const CgnsSource& source, GridOutline& grid) {
     std::vector<Interface> awaited;  // the second sides of those that were read on their first
     for (int zone = 0; zone < static_cast<int>(grid.zones.size()); ++zone) {
         int count = 0;
@@ -248,7 +262,7 @@ void read_interfaces(const CgnsSource& source, MultiblockGrid& grid) {
     }
 }
 
-void read_patches(const CgnsSource& source, MultiblockGrid& grid) {
+void read_patches(const CgnsSource& source, GridOutline& grid) {
     for (int zone = 0; zone < static_cast<int>(grid.zones.size()); ++zone) {
         int count = 0;
         source.check(cg_nbocos(source.file(), CgnsSource::base(), zone + 1, &count));

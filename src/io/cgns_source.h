@@ -4,9 +4,11 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
-#include "core/multiblock.h"
+#include "core/grid_outline.h"
 #include "io/cgns_library.h"
 
 namespace hexweave {
@@ -35,11 +37,33 @@ private:
     CgnsFile file_;
 };
 
+/// Everything but the coordinates, and what else the file holds.
+GridOutline read_outline(const CgnsSource& source);
+
+/// Reads the points of a box of one zone, which runs forwards, as doubles, i fastest, to x, y and
+/// z; zeros to z where the space has two dimensions.
+void read_points(const CgnsSource& source, const GridOutline& grid, int zone, const IndexBox& box,
+                 const std::array<double*, 3>& to);
+
 /// Adds the one-to-one interfaces of all zones of `grid`, each once, on the side that comes first.
-void read_interfaces(const CgnsSource& source, MultiblockGrid& grid);
+void read_interfaces(const CgnsSource& source, GridOutline& grid);
 
 /// Adds the boundary conditions of all zones of `grid` as patches, and the families that the file
 /// does not declare: one called like its type for each literal type without a family.
-void read_patches(const CgnsSource& source, MultiblockGrid& grid);
+void read_patches(const CgnsSource& source, GridOutline& grid);
+
+/// The nodes of the file that no function here reads, by kind, in the order of the tree.
+std::vector<OtherNodes> find_other_nodes(const CgnsSource& source);
+
+/// Throws UsageError unless `path` is a file that this process may read.
+void require_readable(const std::filesystem::path& path);
+
+/// Makes a child process one that may die quietly: signals end it, it dumps no core, prints
+/// nothing.
+void become_expendable();
+
+/// Calls reader() in a child process and throws what it met: on damaged files libcgns and HDF5 run
+/// over the ends of their arrays, or call exit.
+void rehearse(const std::filesystem::path& path, const std::function<void()>& reader);
 
 }  // namespace hexweave

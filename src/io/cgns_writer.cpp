@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/interface_sides.h"
 #include "io/cgns.h"
-#include "io/cgns_interface.h"
 #include "io/cgns_library.h"
 #include "io/cgns_rewrite.h"
 #include "io/output_files.h"
@@ -196,6 +196,17 @@ private:
         check(cg_1to1_write(file_, base_, zone_numbers_[zone], name.c_str(),
                             grid_.zones[static_cast<std::size_t>(side.donor)].name.c_str(),
                             own.data(), donor.data(), side.orientation.axes.data(), &number));
+        if (side.periodic) write_periodicity(zone_numbers_[zone], number, *side.periodic);
+    }
+
+    void write_periodicity(int zone, int number, const Periodicity& periodic) const {
+        const auto single = [](const Vec3& v) {
+            return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y),
+                                        static_cast<float>(v.z)};
+        };
+        check(cg_1to1_periodic_write(file_, base_, zone, number, single(periodic.center).data(),
+                                     single(periodic.angle).data(),
+                                     single(periodic.translation).data()));
     }
 
     void write_patches() const {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "io/cgns_interface.h"
+#include "core/interface_sides.h"
 #include "io/neutral_map.h"
 #include "io/neutral_map_faces.h"
 

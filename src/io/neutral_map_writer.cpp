@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "core/errors.h"
+#include "core/interface_sides.h"
 #include "io/byte_writer.h"
-#include "io/cgns_interface.h"
 #include "io/neutral_map.h"
 #include "io/neutral_map_faces.h"
 

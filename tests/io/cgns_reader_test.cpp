@@ -7,7 +7,7 @@
 
 #include "core/errors.h"
 #include "io/cgns.h"
-#include "io/cgns_interface.h"
+#include "core/interface_sides.h"
 #include "io/cgns_samples.h"
 #include "io/scratch.h"
 

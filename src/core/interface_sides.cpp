@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/cgns_interface.h"
+#include "core/interface_sides.h"
 
 #include <cstdlib>
 #include <utility>
@@ -18,8 +18,13 @@ Interface forwards(Interface interface) {
 }
 
 Interface other_side(const Interface& interface) {
+    std::optional<Periodicity> back = interface.periodic;
+    if (back) {
+        back->angle = -back->angle;
+        back->translation = -back->translation;
+    }
     return forwards({interface.name, interface.donor, interface.donor_box, interface.zone,
-                     interface.box, inverse(interface.orientation)});
+                     interface.box, inverse(interface.orientation), back});
 }
 
 }  // namespace hexweave

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A multiblock grid without its points: what is known of a file before its coordinates are read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/multiblock.h"
+
+namespace hexweave {
+
+struct ZoneOutline {
+    std::string name;
+    Extent extent;
+
+    friend bool operator==(const ZoneOutline&, const ZoneOutline&) = default;
+};
+
+/// Nodes of a file, all of one kind, whose contents were not read.
+struct OtherNodes {
+    std::string kind;   ///< the CGNS label: "FlowSolution_t"
+    std::string first;  ///< the path of the first: "/Base/wing/FlowSolution"
+    std::size_t count = 0;
+};
+
+/// As MultiblockGrid, whose members of the same names say more.
+struct GridOutline {
+    std::string title;
+    std::string units;
+    int cell_dimension = 3;
+    int physical_dimension = 3;
+    std::vector<ZoneOutline> zones;
+    std::vector<Interface> interfaces;
+    std::vector<Family> families;
+    std::vector<BoundaryPatch> patches;
+    std::string provenance;
+    std::vector<OtherNodes> others;
+};
+
+}  // namespace hexweave
