@@ -2,6 +2,7 @@
 #include "quality/zone_match.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -32,9 +33,14 @@ std::vector<Orientation> find_orientations(int cell_dimension) {
 /// zone. Reversing an axis exchanges first and last, second and third.
 std::size_t mapped_sample(const Orientation& o, std::size_t n) {
     const Node own{static_cast<int>(n % 4), static_cast<int>(n / 4 % 4), static_cast<int>(n / 16)};
-    return Extent{4, 4, 4}.offset(map_node(o, own, Extent{4, 4, 4})[0],
-                                  map_node(o, own, Extent{4, 4, 4})[1],
-                                  map_node(o, own, Extent{4, 4, 4})[2]);
+    const Extent samples{4, 4, 4};
+    const Node other = map_node(o, own, samples);
+    return samples.offset(other[0], other[1], other[2]);
+}
+
+/// As `distance`, for points of any size.
+double far_between(const Vec3& a, const Vec3& b) {
+    return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z);
 }
 
 /// The greatest distance between samples; stops where it exceeds `limit`.
@@ -42,7 +48,7 @@ double sample_distance(const Orientation& o, const ZoneSurvey& candidate, const 
                        double limit) {
     double greatest = 0;
     for (std::size_t n = 0; n < candidate.samples.size(); ++n) {
-        const double d = distance(candidate.samples[n], golden.samples[mapped_sample(o, n)]);
+        const double d = far_between(candidate.samples[n], golden.samples[mapped_sample(o, n)]);
         if (!(d <= limit)) return std::numeric_limits<double>::infinity();
         greatest = std::max(greatest, d);
     }
@@ -61,10 +67,10 @@ Pair nearest(const GridOutline& candidate, const GridOutline& golden, const Zone
     const ZoneOutline& a = candidate.zones[static_cast<std::size_t>(zones.candidate)];
     const ZoneOutline& b = golden.zones[static_cast<std::size_t>(zones.golden)];
     constexpr double near = 0.1;
-    double limit = near * distance(other.least, other.greatest);
+    double limit = near * far_between(other.least, other.greatest);
     Pair best{std::numeric_limits<double>::infinity(), a.name != b.name, zones};
-    if (distance(own.least, other.least) > 2 * limit ||
-        distance(own.greatest, other.greatest) > 2 * limit) {
+    if (far_between(own.least, other.least) > 2 * limit ||
+        far_between(own.greatest, other.greatest) > 2 * limit) {
         return best;
     }
     for (const Orientation& o : all_orientations(candidate.cell_dimension)) {
