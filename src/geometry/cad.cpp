@@ -10,6 +10,8 @@
 #include <dlfcn.h>
 
 #include "core/errors.h"
+#include "geometry/cad_archive.h"
+#include "geometry/child_process.h"
 #endif
 
 namespace hexweave {
@@ -26,14 +28,24 @@ ReadPreparedCad* load_module() {
     throw MachineError(std::string("cannot load the reader of CAD files: ") + dlerror());
 }
 
-void read_prepared(const CadText& text, CadResult& result) {
+/// In a process of its own: of damaged files Open CASCADE is known to crash, or not to end.
+CadResult read_prepared(const CadText& text) {
+    const int most_seconds = 30 + 5 * static_cast<int>(text.text.size() >> 20U);
     static ReadPreparedCad* const read = load_module();
-    read(text, result);
+    const ChildResult child = run_in_child(
+        [&text] {
+            CadResult result;
+            read(text, result);
+            return pack(result);
+        },
+        most_seconds);
+    if (child.fault.empty()) return unpack(child.bytes);
+    return {{}, "Open CASCADE cannot read it, it seems damaged (" + child.fault + ")"};
 }
 #else
-void read_prepared(const CadText& text, CadResult& result) {
+CadResult read_prepared(const CadText& text) {
     HEXWEAVE_ASSERT(can_read_cad());
-    result.error = text.error;
+    return {{}, text.error};
 }
 #endif
 
@@ -70,12 +82,8 @@ bool can_read_cad() {
 
 CadResult read_cad(const std::string& text) {
     const CadText prepared = prepare_cad_text(text);
-    CadResult result;
-    if (!prepared.error.empty()) {
-        result.error = prepared.error;
-        return result;
-    }
-    read_prepared(prepared, result);
+    if (!prepared.error.empty()) return {{}, prepared.error};
+    CadResult result = read_prepared(prepared);
     if (!result.file) return result;
     for (CadEntity& entity : result.file->entities) find_faults(entity);
     return result;

@@ -125,6 +125,24 @@ TEST_CASE("the contents of a CAD file are listed") {
     CHECK(scratch.hexweave("geometry nowhere.igs").exit_code == 2);
 }
 
+TEST_CASE("the ten lines that grid a surface of a CAD file do") {
+    if (!HEXWEAVE_HAS_CAD) return;
+    const auto block = [](const std::string& path) {
+        const std::string text = slurp(std::string(HEXWEAVE_SOURCE_DIR "/") + path);
+        const std::size_t begin = text.find("hexweave: 1\nsurfaces: {top: {cad:");
+        REQUIRE(begin != std::string::npos);
+        return text.substr(begin, text.find("```", begin) - begin);
+    };
+    CHECK(block("README.md") == block("docs/format.md"));
+    const Scratch scratch;
+    fs::copy(HEXWEAVE_SOURCE_DIR "/data/wings/taper_wing.igs", scratch.path());
+    scratch.write("top.yaml", block("README.md"));
+    const Finished run = scratch.hexweave("run top.yaml");
+    INFO(run.out << run.err);
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.out, "sound: 1 zone, 1,200 cells, none folded"));
+}
+
 TEST_CASE("a config from standard input needs a name for its grid") {
     const Scratch scratch;
     scratch.write("tiny.yaml", tiny);

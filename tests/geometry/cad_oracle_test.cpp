@@ -24,16 +24,21 @@
 #include <UnitsMethods.hxx>
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <unistd.h>
 
 #include "geometry/cad.h"
+#include "geometry/cad_archive.h"
+#include "geometry/child_process.h"
 #include "geometry/surface_projection.h"
 
 using namespace hexweave;
@@ -233,6 +238,49 @@ TEST_CASE("planes, cylinders, cones, spheres and tori become rational surfaces",
                 REQUIRE(face.fault.empty());
             }
             for (const TopoDS_Face& face : oracle) CHECK(farthest(face, ours) < 1e-12 * size);
+        }
+    }
+}
+
+TEST_CASE("what was read comes back from bytes as it was", "[cad]") {
+    const CadResult read = read_cad(slurp(wings + "AileM6_with_sharp_TE.stp"));
+    const std::string bytes = pack(read);
+    const CadResult again = unpack(bytes);
+    REQUIRE(again.file);
+    CHECK(again.file->entities.size() == read.file->entities.size());
+    CHECK(faces_of(*again.file).front().net.control == faces_of(*read.file).front().net.control);
+    CHECK(pack(again) == bytes);
+    CHECK(unpack(pack({{}, "a fault"})).error == "a fault");
+}
+
+TEST_CASE("a crash of other people's code is not ours", "[cad]") {
+    CHECK(run_in_child([] { return std::string(1000000, 'a'); }, 10).bytes ==
+          std::string(1000000, 'a'));
+    CHECK(run_in_child([] { return std::string(); }, 10).fault.empty());
+    CHECK(run_in_child([] { return raise(SIGKILL), std::string(); }, 10).fault == "Killed");
+    const auto fails = []() -> std::string { throw std::runtime_error("no"); };
+    CHECK(run_in_child(fails, 10).fault == "it failed");
+    const auto never_ends = [] {
+        volatile int n = 0;
+        while (n < 1) {
+        }
+        return std::string();
+    };
+    CHECK(run_in_child(never_ends, 1).fault == "it took too long");
+}
+
+TEST_CASE("damaged files are read in part or refused", "[cad]") {
+    for (const char* name : {"taper_wing.igs", "AileM6_with_sharp_TE.stp"}) {
+        const std::string text = slurp(wings + name);
+        std::mt19937 random(7);  // NOLINT(cert-msc51-cpp): the same files every time
+        for (int n = 0; n < 6; ++n) {
+            std::string damaged = text;
+            for (int k = 0; k < 20; ++k) {
+                char& c = damaged[random() % damaged.size()];
+                if (c != '\n' && c != '\r') c = "0123456789.,-;( "[random() % 16];
+            }
+            const CadResult result = read_cad(damaged);
+            CHECK(result.file.has_value() == result.error.empty());
         }
     }
 }
