@@ -18,6 +18,7 @@ namespace {
 /// The boundary nodes once round, from the corner (0, 0).
 std::vector<std::array<int, 2>> boundary_nodes(const Extent& e) {
     std::vector<std::array<int, 2>> nodes;
+    nodes.reserve(2 * static_cast<std::size_t>(e.ni + e.nj));
     for (int i = 0; i < e.ni - 1; ++i) nodes.push_back({i, 0});
     for (int j = 0; j < e.nj - 1; ++j) nodes.push_back({e.ni - 1, j});
     for (int i = e.ni - 1; i > 0; --i) nodes.push_back({i, e.nj - 1});
