@@ -85,7 +85,8 @@ Stencil stencil_at(const Axis& axis, std::size_t n) {
         for (std::size_t m = 0; m < Stencil::size; ++m) {
             const std::size_t index = n + m + last - 2;
             stencil.points[m] = index % last;
-            knots[m] = axis.knots[index % last] + static_cast<double>(index / last) - 1;
+            const std::size_t periods = index / last;
+            knots[m] = axis.knots[index % last] + static_cast<double>(periods) - 1;
         }
         set_weights(stencil, knots, 2);
         return stencil;

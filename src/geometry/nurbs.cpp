@@ -169,7 +169,7 @@ struct SurfaceData {
 /// In as few digits as tell it apart.
 std::string number(double value) {
     std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     return {text.data(), end};
 }
 
@@ -247,10 +247,10 @@ std::string knots_fault(const std::vector<double>& knots, int degree, int count)
 }
 
 std::string fault_of(const NurbsNet& net) {
-    const std::string degrees = first_of({degree_fault(net.degree_u), degree_fault(net.degree_v)});
+    std::string degrees = first_of({degree_fault(net.degree_u), degree_fault(net.degree_v)});
     if (!degrees.empty()) return degrees;
-    const std::string counts = first_of({count_fault(net.count_u, net.degree_u, " along u"),
-                                         count_fault(net.count_v, net.degree_v, " along v")});
+    std::string counts = first_of({count_fault(net.count_u, net.degree_u, " along u"),
+                                   count_fault(net.count_v, net.degree_v, " along v")});
     if (!counts.empty()) return counts;
     const std::string u = knots_fault(net.knots_u, net.degree_u, net.count_u);
     if (!u.empty()) return "along u: " + u;
@@ -266,7 +266,7 @@ std::string fault_of(const NurbsNet& net) {
 }
 
 std::string fault_of(const NurbsPolygon& polygon) {
-    const std::string degree = degree_fault(polygon.degree);
+    std::string degree = degree_fault(polygon.degree);
     if (!degree.empty()) return degree;
     const int count = static_cast<int>(polygon.control.size());
     return first_of(

@@ -133,22 +133,23 @@ std::optional<Curve> periodic_spline(const Surface& surface, const std::vector<d
 
 }  // namespace
 
-Curve curve_on(const Surface& surface, const Curve& plane) {
+Curve curve_on(const Surface& surface, const Curve& in_parameters) {
     Curve curve;
-    curve.position = [surface, at = plane.position](double t) {
+    curve.position = [surface, at = in_parameters.position](double t) {
         const Vec3 p = at(t);
         return evaluate(surface, {p.x, p.y});
     };
-    curve.derivative = [surface, at = plane.position, along = plane.derivative](double t) {
+    curve.derivative = [surface, at = in_parameters.position,
+                        along = in_parameters.derivative](double t) {
         const Vec3 p = at(t);
         const Vec3 rate = along(t);
         return rate.x * evaluate_derivative_u(surface, {p.x, p.y}) +
                rate.y * evaluate_derivative_v(surface, {p.x, p.y});
     };
-    curve.begin = plane.begin;
-    curve.end = plane.end;
+    curve.begin = in_parameters.begin;
+    curve.end = in_parameters.end;
     curve.closed = ends_meet(curve);
-    curve.breaks = breaks_of_image(surface, plane);
+    curve.breaks = breaks_of_image(surface, in_parameters);
     return curve;
 }
 
