@@ -15,7 +15,7 @@ namespace hexweave {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n,";
-constexpr int most_points = 100'000'000;
+constexpr int most_points = 10'000'000;
 
 std::optional<double> number_of(std::string_view word) {
     if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);

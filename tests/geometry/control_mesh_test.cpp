@@ -54,13 +54,13 @@ Vec3 torus(double a, double b) {
 ControlMesh torus_mesh(int nu, int nv) {
     ControlMesh mesh = mesh_of(torus, uneven(nu), uneven(nv));
     // To the bit, as in a file.
-    for (int j = 0; j < nv; ++j) {
-        mesh.points[static_cast<std::size_t>((j + 1) * nu - 1)] =
-            mesh.points[static_cast<std::size_t>(j * nu)];
+    const auto count_u = static_cast<std::size_t>(nu);
+    const auto count_v = static_cast<std::size_t>(nv);
+    for (std::size_t j = 0; j < count_v; ++j) {
+        mesh.points[j * count_u + count_u - 1] = mesh.points[j * count_u];
     }
-    for (int i = 0; i < nu; ++i) {
-        mesh.points[static_cast<std::size_t>(i + (nv - 1) * nu)] =
-            mesh.points[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < count_u; ++i) {
+        mesh.points[(count_v - 1) * count_u + i] = mesh.points[i];
     }
     return mesh;
 }
@@ -205,8 +205,8 @@ TEST_CASE("what is wrong with a Plot3D file is told with its line") {
     CHECK(fault("2\n2 2 1\n2 2 1\n") == "1: the file must hold one block");
     CHECK(fault("1\n2 2 2\n") == "2: one of the three counts must be 1 for a surface, not 2 2 2");
     CHECK(fault("1\n2 1 1\n") == "2: one of the three counts must be 1 for a surface, not 2 1 1");
-    CHECK(fault("1\n2 2.5 1\n") == "2: a count must be a whole number from 1 to 100000000");
-    CHECK(fault("1\n-2 2 1\n") == "2: a count must be a whole number from 1 to 100000000");
+    CHECK(fault("1\n2 2.5 1\n") == "2: a count must be a whole number from 1 to 10000000");
+    CHECK(fault("1\n-2 2 1\n") == "2: a count must be a whole number from 1 to 10000000");
     CHECK(fault("2 2 1\n1 2 3 4\n1 2 3 4\n1 2 3\n") ==
           "5: there are 11 coordinates, not 3 times 4");
     CHECK(fault("2 2 1\n1 2 3 4\n1 2 3 4\n1 2 3 4\n5") ==

@@ -185,7 +185,7 @@ TEST_CASE("derivatives of a rational surface agree with differences of high orde
             const Differences along_v(vs[b], vs[b + 1]);
             for (int n = 0; n < 25; ++n) {
                 const double u = us[a] + (us[a + 1] - us[a]) * (n % 5) / 5;
-                const double v = vs[b] + (vs[b + 1] - vs[b]) * (n / 5) / 5;
+                const double v = vs[b] + (vs[b + 1] - vs[b]) * n / 25;
                 const Vec3 by_u = along_u([&](double t) { return s.position(t, v); }, u);
                 const Vec3 by_v = along_v([&](double t) { return s.position(u, t); }, v);
                 worst = std::max(worst, distance(by_u, s.derivative_u(u, v)) / norm(by_u));
