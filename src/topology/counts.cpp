@@ -330,24 +330,6 @@ void report_unknown(Counting& counting, const std::vector<SumEquation>& equation
     }
 }
 
-/// Tells the faces of a block's side where they begin; returns the extent of the whole side.
-Extent place_faces(const std::vector<Face>& faces, BlockSide& side) {
-    const auto extent_of = [&](int column, int row) {
-        const FaceUse& use = side.at(column, row);
-        return own_extent(use.orientation, faces[static_cast<std::size_t>(use.face)].extent());
-    };
-    std::vector<int> columns{0};
-    std::vector<int> rows{0};
-    for (int c = 0; c < side.columns; ++c)
-        columns.push_back(columns.back() + extent_of(c, 0).ni - 1);
-    for (int r = 0; r < side.rows(); ++r) rows.push_back(rows.back() + extent_of(0, r).nj - 1);
-    const auto width = static_cast<std::size_t>(side.columns);
-    for (std::size_t n = 0; n < side.faces.size(); ++n) {
-        side.faces[n].begin = {columns[n % width], rows[n / width]};
-    }
-    return {columns.back() + 1, rows.back() + 1, 1};
-}
-
 /// Writes the counts into the topology. Edges, and sums over sides, that no 'int' holds are faults.
 void store(Counting& counting, Topology& topology) {
     constexpr std::int64_t most = std::numeric_limits<int>::max() - 1;

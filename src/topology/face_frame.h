@@ -29,6 +29,10 @@ FrameSides joined_frame(const std::vector<FrameSides>& faces, int columns);
 /// The four sides of a whole side of a block.
 FrameSides sides_in_frame(const std::vector<Face>& faces, const BlockSide& side);
 
+/// Tells the faces of a block's side where they begin, from their counts of cells; returns the
+/// extent of the whole side.
+Extent place_faces(const std::vector<Face>& faces, BlockSide& side);
+
 /// Corner (i, j, k), each 0 or 1, in the order of the CGNS hexahedron.
 constexpr std::size_t hexahedron_corner(int i, int j, int k) {
     const int corner = 4 * k + (j == 0 ? i : 3 - i);

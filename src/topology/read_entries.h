@@ -4,6 +4,7 @@
 // vertex lies on a curve without a name), so that its own name still stands.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "topology/read_values.h"
 
 namespace hexweave {
+
+/// What CGNS can hold of the names of zones and families, in bytes.
+inline constexpr std::size_t longest_zone_name = 32;
 
 std::vector<VertexEntry> read_vertices(Reading& reading, const YamlNode& section);
 std::vector<EdgeEntry> read_edges(Reading& reading, const YamlNode& section);
