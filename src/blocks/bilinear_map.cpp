@@ -61,13 +61,17 @@ std::vector<std::array<double, 4>> edge_stations(const PointField& boundary, int
     const std::size_t first = axis == 0 ? 1 : 0;
     const std::size_t second = axis == 2 ? 1 : 2;
     std::vector<std::array<double, 4>> stations(static_cast<std::size_t>(n[axis]));
+    std::vector<std::vector<Vec3>> lines;
     for (std::size_t edge = 0; edge < 4; ++edge) {
         Node start{};
         if (edge % 2 == 1) start[first] = last[first];
         if (edge / 2 == 1) start[second] = last[second];
-        const auto values = edge_function(grid_line(boundary, start, axis), exponents[edge]);
+        lines.push_back(grid_line(boundary, start, axis));
+    }
+    const auto values = parallel_edge_functions(lines, {exponents.begin(), exponents.end()});
+    for (std::size_t edge = 0; edge < 4; ++edge) {
         for (std::size_t node = 0; node < stations.size(); ++node) {
-            stations[node][edge] = values[node];
+            stations[node][edge] = values[edge][node];
         }
     }
     return stations;

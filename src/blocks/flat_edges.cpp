@@ -68,6 +68,7 @@ bool is_flat(const Extent& extent, int axis, std::size_t number, const SidePoint
         };
         const Vec3 here = edge_point(n);
         const Vec3 along = edge_point(std::min(n + 1, nodes - 1)) - edge_point(std::max(n - 1, 0));
+        if (along == Vec3{}) continue;  // a pole
         const Vec3 leg_first =
             boundary_point(points, first_side, node_at(n, inward_first, 0)) - here;
         const Vec3 leg_second =

@@ -73,6 +73,16 @@ void place_points(const Topology& topology, const Edge& edge, const ArcLengthTab
     grid.points.back() = topology.vertices[static_cast<std::size_t>(edge.end)].position;
 }
 
+/// All points of a pole are its vertex; its fractions are those of equal steps.
+EdgeGrid pole_grid(const Topology& topology, const Edge& edge) {
+    EdgeGrid grid;
+    grid.fractions = law_fractions(UniformLaw{}, edge.cells, 1);
+    grid.parameters = grid.fractions;
+    grid.points.assign(grid.fractions.size(),
+                       topology.vertices[static_cast<std::size_t>(edge.start)].position);
+    return grid;
+}
+
 }  // namespace
 
 std::vector<EdgeGrid> make_edges(const Topology& topology) {
@@ -81,6 +91,10 @@ std::vector<EdgeGrid> make_edges(const Topology& topology) {
     std::vector<std::optional<ArcLengthTable>> tables(count);
     parallel_for(count, [&](std::size_t e) {
         const Edge& edge = topology.edges[e];
+        if (edge.pole) {
+            grids[e] = pole_grid(topology, edge);
+            return;
+        }
         tables[e].emplace(*edge.curve, edge.from, edge.to);
         if (!std::holds_alternative<SameAs>(edge.law)) {
             grids[e].fractions = own_fractions(edge, *tables[e]);
@@ -93,16 +107,18 @@ std::vector<EdgeGrid> make_edges(const Topology& topology) {
         grids[e].fractions = origin.reversed ? reversed_fractions(own) : own;
     }
     parallel_for(count, [&](std::size_t e) {
-        place_points(topology, topology.edges[e], *tables[e], grids[e]);
+        if (tables[e]) place_points(topology, topology.edges[e], *tables[e], grids[e]);
     });
     return grids;
 }
 
 double first_cell(const Edge& edge, const EdgeGrid& grid) {
+    if (edge.pole) return 0;
     return arc_length(*edge.curve, grid.parameters[0], grid.parameters[1]);
 }
 
 double last_cell(const Edge& edge, const EdgeGrid& grid) {
+    if (edge.pole) return 0;
     const std::size_t last = grid.parameters.size() - 1;
     return arc_length(*edge.curve, grid.parameters[last - 1], grid.parameters[last]);
 }

@@ -77,8 +77,17 @@ bool is_sound(const Corner& corner, int axes, const Vec3& normal) {
     return is_sound_corner(corner.sign * triple(a, b, c), dot(a, a) * dot(b, b) * dot(c, c));
 }
 
-/// Whether a corner that is not sound is flat where the grid's sides meet flat.
+/// Whether a corner lies at a pole: a leg within the grid's boundary has no length.
+bool is_at_pole(const Corner& corner, int axes) {
+    for (std::size_t a = 0; a < static_cast<std::size_t>(axes); ++a) {
+        if (corner.fixed[a] && corner.legs[a] == Vec3{}) return true;
+    }
+    return false;
+}
+
+/// Whether a corner that is not sound is flat where the grid's sides meet flat, or lies at a pole.
 bool is_excused(const Corner& corner, const Extent& extent, int axes, const Vec3& normal) {
+    if (is_at_pole(corner, axes)) return true;
     Corner turned = corner;
     turned.sign = -corner.sign;
     if (is_sound(turned, axes, normal)) return false;  // inside out, not flat

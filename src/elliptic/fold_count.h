@@ -35,7 +35,8 @@ Vec3 plane_normal(const PointField& face);
 /// product of the corner's three edges over the product of their lengths (right-handed blocks are
 /// positive). Of a face: the corner's normal against plane_normal, or, of a face in space, against
 /// the cell's mean normal. A corner that is flat (no more than `fold_limit` either way) where two
-/// sides of the grid meet at more than 150 degrees does not fold its cell. The layers of cells are
+/// sides of the grid meet at more than 150 degrees does not fold its cell; nor does one at a pole,
+/// where neighbours on the boundary are one point. The layers of cells are
 /// checked in parallel.
 long count_folded(const PointField& points);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/arc_length.h"
 
+#include <algorithm>
+
 #include "core/assert.h"
 
 namespace hexweave {
@@ -15,6 +17,10 @@ std::vector<Vec3> grid_line(const PointField& points, std::array<int, 3> start, 
         line.push_back(points(node[0], node[1], node[2]));
     }
     return line;
+}
+
+bool has_length(const std::vector<Vec3>& line) {
+    return std::any_of(line.begin(), line.end(), [&](const Vec3& p) { return p != line.front(); });
 }
 
 std::vector<double> normalized_arc_length(const std::vector<Vec3>& line) {

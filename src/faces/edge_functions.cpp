@@ -23,4 +23,23 @@ std::vector<double> edge_function(const std::vector<Vec3>& line, const EndExpone
     return values;
 }
 
+std::vector<std::vector<double>> parallel_edge_functions(
+    const std::vector<std::vector<Vec3>>& lines, const std::vector<EndExponents>& exponents) {
+    std::vector<std::vector<double>> values(lines.size());
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+        if (has_length(lines[n])) values[n] = edge_function(lines[n], exponents[n]);
+    }
+    const std::vector<std::vector<double>> own = values;
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+        // The bits of the number are the ends of the other axes: neighbours first.
+        for (std::size_t across = 1; across < lines.size() && values[n].empty(); ++across) {
+            values[n] = own[n ^ across];
+        }
+        for (std::size_t m = 0; values[n].size() < lines[n].size(); ++m) {
+            values[n].push_back(static_cast<double>(m) / static_cast<double>(lines[n].size() - 1));
+        }
+    }
+    return values;
+}
+
 }  // namespace hexweave

@@ -32,4 +32,10 @@ double edge_function(double fraction, const EndExponents& exponents);
 /// The edge function at the points of a line.
 std::vector<double> edge_function(const std::vector<Vec3>& line, const EndExponents& exponents);
 
+/// The edge functions of the edges along one axis of a face (two: at the minimum and the maximum of
+/// the other axis) or of a block (four, numbered as in EdgeStations). An edge that is a pole has no
+/// arc length and takes the values of an edge beside it or, where all are poles, equal steps.
+std::vector<std::vector<double>> parallel_edge_functions(
+    const std::vector<std::vector<Vec3>>& lines, const std::vector<EndExponents>& exponents);
+
 }  // namespace hexweave

@@ -90,9 +90,23 @@ void fill_on_surface(FaceGrid& grid, const Face& face, const ParameterField& par
     fill_bound(grid, face, parameters, on_surface.bound());
 }
 
+/// A face that is an edge, or a vertex.
+void fill_collapsed(PointField& points, const std::array<bool, 2>& collapsed) {
+    const Extent e = points.extent();
+    for (int j = 0; j < e.nj; ++j) {
+        for (int i = 0; i < e.ni; ++i) {
+            points.set(i, j, 0, points(collapsed[0] ? 0 : i, collapsed[1] ? 0 : j));
+        }
+    }
+}
+
 FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool planar) {
     FaceGrid grid;
     grid.points = face_boundary(face, edges);
+    if (face.is_collapsed()) {
+        fill_collapsed(grid.points, face.collapsed);
+        return grid;
+    }
     grid.flat_corners = flat_corners(grid.points, planar);
     const bool algebraic = face.solve.method == Method::algebraic;
     const double exponent = algebraic ? 1 : face.solve.flat_edge_exponent;

@@ -89,7 +89,8 @@ Field targets(const PointField& points, const WallFrame& wall, const WallLengths
     const int last_a = wall.count_a - 1;
     const int last_b = wall.count_b - 1;
     const auto excess = [&](int a, int b) {
-        return std::log(height_at(points, wall, a, b) / asked(a, b));
+        const double height = height_at(points, wall, a, b);
+        return height > 0 ? std::log(height / asked(a, b)) : 0;  // none at a pole
     };
     Field result(wall.nodes());
     for (int b = 0; b < wall.count_b; ++b) {
@@ -196,9 +197,15 @@ Field asked_heights(const PointField& points, Side side, const std::optional<dou
     const WallLengths lengths(points, wall);
     const int last_a = wall.count_a - 1;
     const int last_b = wall.count_b - 1;
-    const auto logarithm = [&](int a, int b) { return std::log(height_at(points, wall, a, b)); };
-    const std::array<double, 4> corners{logarithm(0, 0), logarithm(last_a, 0), logarithm(0, last_b),
-                                        logarithm(last_a, last_b)};
+    const std::array<double, 4> heights{
+        height_at(points, wall, 0, 0), height_at(points, wall, last_a, 0),
+        height_at(points, wall, 0, last_b), height_at(points, wall, last_a, last_b)};
+    // At a pole there is no height: the greatest of the others stands for it.
+    const double greatest = *std::max_element(heights.begin(), heights.end());
+    std::array<double, 4> corners{};
+    for (std::size_t c = 0; c < 4; ++c) {
+        corners[c] = std::log(heights[c] > 0 ? heights[c] : greatest);
+    }
     Field asked(wall.nodes());
     for (int b = 0; b < wall.count_b; ++b) {
         for (int a = 0; a < wall.count_a; ++a) {

@@ -38,17 +38,19 @@ ParameterField straight_line_map(const PointField& boundary,
                                  const std::array<EndExponents, 4>& exponents) {
     const Extent extent = boundary.extent();
     HEXWEAVE_ASSERT(extent.nk == 1);
-    const auto s_jmin = edge_function(grid_line(boundary, {0, 0, 0}, 0), exponents[2]);
-    const auto s_jmax = edge_function(grid_line(boundary, {0, extent.nj - 1, 0}, 0), exponents[3]);
-    const auto t_imin = edge_function(grid_line(boundary, {0, 0, 0}, 1), exponents[0]);
-    const auto t_imax = edge_function(grid_line(boundary, {extent.ni - 1, 0, 0}, 1), exponents[1]);
+    const auto s = parallel_edge_functions(
+        {grid_line(boundary, {0, 0, 0}, 0), grid_line(boundary, {0, extent.nj - 1, 0}, 0)},
+        {exponents[2], exponents[3]});
+    const auto t = parallel_edge_functions(
+        {grid_line(boundary, {0, 0, 0}, 1), grid_line(boundary, {extent.ni - 1, 0, 0}, 1)},
+        {exponents[0], exponents[1]});
     ParameterField parameters{Field(extent), Field(extent), {}};
     for (int j = 0; j < extent.nj; ++j) {
         const auto row = static_cast<std::size_t>(j);
         for (int i = 0; i < extent.ni; ++i) {
             const auto column = static_cast<std::size_t>(i);
             const SquarePoint point =
-                straight_line_point(s_jmin[column], s_jmax[column], t_imin[row], t_imax[row]);
+                straight_line_point(s[0][column], s[1][column], t[0][row], t[1][row]);
             parameters.s(i, j) = point.s;
             parameters.t(i, j) = point.t;
         }

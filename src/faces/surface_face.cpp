@@ -12,6 +12,7 @@
 #include "faces/arc_length.h"
 #include "faces/folded_start.h"
 #include "faces/map_inverse.h"
+#include "faces/pole_parameters.h"
 #include "faces/transfinite_face.h"
 #include "geometry/surface_patch.h"
 
@@ -90,6 +91,7 @@ void unfold_parameters(PointField& at, const Surface& surface, const ParameterFi
 SurfaceFace::SurfaceFace(const Surface& surface, const PointField& points,
                          const ParameterField& parameters, bool start_folded)
     : projection_(surface), at_(boundary_parameters(projection_, points, off_)), kept_(at_) {
+    spread_poles(surface, points, at_);
     interpolate_face(at_, parameters);
     if (start_folded) fold_interior(at_);
     unfold_parameters(at_, surface, parameters);

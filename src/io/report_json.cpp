@@ -129,6 +129,7 @@ Json zone(const ZoneMeasure& z) {
             {"cells", z.cells},
             {"folded", z.folded},
             {"flat_corners", z.flat_corners},
+            {"pole_corners", z.pole_corners},
             {"worst_scaled_jacobian", number(z.worst_scaled_jacobian)},
             {"worst_inside", number(z.worst_inside)},
             {"worst_cell", {z.worst_cell[0] + 1, z.worst_cell[1] + 1, z.worst_cell[2] + 1}},

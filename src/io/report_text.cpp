@@ -192,6 +192,8 @@ std::string zone_table(const Report& report) {
             z.name, width, grouped(z.cells), z.worst_scaled_jacobian, z.worst_inside, z.folded,
             z.flat_corners, node_text(z), z.worst_place.x, z.worst_place.y, z.worst_place.z);
     }
+    const std::size_t poles = report.pole_corners();
+    if (poles > 0) text += fmt::format("{} corners at poles are counted apart\n", grouped(poles));
     return text;
 }
 

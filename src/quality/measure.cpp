@@ -45,6 +45,17 @@ bool sides_meet_flat(Vec3 a, Vec3 b, const Vec3& edge) {
     return scale > 0 && dot(a, b) < flat_cosine * scale;
 }
 
+/// Whether a corner lies at a pole: a leg along a side of the zone has no length.
+bool is_at_pole(const Node& node, const Extent& extent, const std::array<Vec3, 3>& legs) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(legs[static_cast<std::size_t>(axis)] == Vec3{}) || extent[axis] == 1) continue;
+        for (int other = 0; other < 3; ++other) {
+            if (other != axis && extent[other] > 1 && on_side(node, extent, other)) return true;
+        }
+    }
+    return false;
+}
+
 /// Collects the corners of one zone's cells.
 struct Collector {
     ZoneMeasure& zone;
@@ -88,6 +99,10 @@ void measure_surface(const PointField& x, bool planar, ZoneMeasure& zone) {
                 const Inward inward{c % 2 == 0 ? 1 : -1, c / 2 == 0 ? 1 : -1, 0};
                 const Vec3 a = leg(x, node, inward, 0);
                 const Vec3 b = leg(x, node, inward, 1);
+                if (is_at_pole(node, extent, {a, b, {}})) {
+                    ++zone.pole_corners;
+                    continue;
+                }
                 const double value =
                     scaled(inward[0] * inward[1] * dot(normal, cross(a, b)), norm(a) * norm(b));
                 const bool may_be_flat = on_side(node, extent, 0) && on_side(node, extent, 1) &&
@@ -124,6 +139,10 @@ bool cell_is_folded(const PointField& x, const Node& cell, Collector& collect) {
         const Inward inward{1 - 2 * high[0], 1 - 2 * high[1], 1 - 2 * high[2]};
         const std::array<Vec3, 3> legs{leg(x, node, inward, 0), leg(x, node, inward, 1),
                                        leg(x, node, inward, 2)};
+        if (is_at_pole(node, x.extent(), legs)) {
+            ++collect.zone.pole_corners;
+            continue;
+        }
         const double sign = inward[0] * inward[1] * inward[2];
         const double value = scaled(sign * triple(legs[0], legs[1], legs[2]),
                                     norm(legs[0]) * norm(legs[1]) * norm(legs[2]));

@@ -11,6 +11,12 @@ std::size_t Report::folded() const {
                            [](std::size_t sum, const ZoneMeasure& z) { return sum + z.folded; });
 }
 
+std::size_t Report::pole_corners() const {
+    std::size_t sum = 0;
+    for (const ZoneMeasure& z : zones) sum += z.pole_corners;
+    return sum;
+}
+
 double Report::worst_scaled_jacobian() const {
     double worst = 1;
     for (const ZoneMeasure& z : zones) worst = std::min(worst, z.worst_scaled_jacobian);

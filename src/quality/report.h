@@ -62,6 +62,7 @@ struct ZoneMeasure {
     double worst_inside = 1;
     std::size_t folded = 0;
     std::size_t flat_corners = 0;
+    std::size_t pole_corners = 0;  ///< where a leg within the zone's boundary has no length
     AngleMeasure angles;
     std::array<GrowthMeasure, 3> growth;  ///< along i, j and k
 };
@@ -89,6 +90,7 @@ struct Report {
     std::vector<StageTime> stages;
 
     std::size_t folded() const;
+    std::size_t pole_corners() const;
     double worst_scaled_jacobian() const;
     AngleMeasure angles() const;  ///< of all zones
     std::size_t mismatched() const;

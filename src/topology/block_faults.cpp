@@ -93,6 +93,7 @@ OtherOrder turned_round(const Telling& tell, const SideFaces& side, std::size_t 
         std::string row_text;
         for (std::size_t row = 0; row < rows; ++row) {
             const std::size_t face = column + row * columns;
+            turned.side.collapsed[place] = side.collapsed[face];
             turned.side.faces[place++] = side.faces[face];
             row_text += fmt::format("{}{}", row_text.empty() ? "" : ", ", tell.face(s, face));
         }
@@ -106,6 +107,7 @@ OtherOrder turned_round(const Telling& tell, const SideFaces& side, std::size_t 
 OtherOrder reversed(const Telling& tell, const SideFaces& side, std::size_t s) {
     OtherOrder reversed{side, {}};
     std::reverse(reversed.side.faces.begin(), reversed.side.faces.end());
+    std::reverse(reversed.side.collapsed.begin(), reversed.side.collapsed.end());
     for (std::size_t n = side.faces.size(); n-- > 0;) {
         reversed.text += fmt::format("{}{}", reversed.text.empty() ? "[" : ", ", tell.face(s, n));
     }

@@ -23,6 +23,7 @@ struct Sides {
     std::vector<std::string> names;       ///< of the sides
     std::vector<Place> places;            ///< of the sides
     std::vector<std::string> names_of_users;
+    std::vector<int> collapsed;  ///< 0, or by how many dimensions a side is less than the others
 };
 
 Sides sides_of(const Topology& topology, bool three_dimensional) {
@@ -38,6 +39,9 @@ Sides sides_of(const Topology& topology, bool three_dimensional) {
     };
     if (three_dimensional) {
         enter(topology.faces);
+        for (const Face& face : topology.faces) {
+            sides.collapsed.push_back((face.collapsed[0] ? 1 : 0) + (face.collapsed[1] ? 1 : 0));
+        }
         for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
             sides.names_of_users.push_back(topology.blocks[b].name);
             for (const BlockSide& side : topology.blocks[b].sides) {
@@ -49,6 +53,7 @@ Sides sides_of(const Topology& topology, bool three_dimensional) {
         return sides;
     }
     enter(topology.edges);
+    for (const Edge& edge : topology.edges) sides.collapsed.push_back(edge.pole ? 1 : 0);
     for (std::size_t f = 0; f < topology.faces.size(); ++f) {
         sides.names_of_users.push_back(topology.faces[f].name);
         for (const auto& side : topology.faces[f].sides) {
@@ -71,6 +76,13 @@ std::string users_text(const Sides& sides, const std::vector<int>& users) {
 
 void check_sharing(const Sides& sides, Diagnostics& diagnostics) {
     for (std::size_t n = 0; n < sides.users.size(); ++n) {
+        if (sides.collapsed[n] > 0 && sides.users[n].size() == 2) {
+            diagnostics.error(
+                sides.places[n],
+                fmt::format("{} {} is collapsed and cannot join {}", sides.kind,
+                            quoted(sides.names[n]), users_text(sides, sides.users[n])),
+                fmt::format("give each {} one of its own", sides.user));
+        }
         if (sides.users[n].size() <= 2) continue;
         diagnostics.error(
             sides.places[n],
@@ -103,13 +115,29 @@ public:
         network_.topology.boundaries.push_back(std::move(boundary));
     }
 
+    /// Poles that nobody claims.
+    void collect_poles() {
+        // In two dimensions a collapsed side is an edge less one dimension: a point.
+        const int to_point = network_.three_dimensional ? 2 : 1;
+        Boundary lines{{line_family, "BCDegenerateLine"}, {}, {}};
+        Boundary points{{point_family, "BCDegeneratePoint"}, {}, {}};
+        for (std::size_t n = 0; n < claims_.size(); ++n) {
+            if (sides_.collapsed[n] == 0 || !is_unclaimed(n)) continue;
+            (sides_.collapsed[n] == to_point ? points : lines).sides.push_back(static_cast<int>(n));
+        }
+        for (Boundary* poles : {&lines, &points}) {
+            if (poles->sides.empty()) continue;
+            network_.topology.boundaries.push_back(std::move(*poles));
+        }
+    }
+
     /// Free sides that nobody claims go to a family of their own.
     void collect_unassigned(const Place& file) {
         Boundary rest;
         rest.family = {unassigned_family, "UserDefined"};
         std::vector<std::string> names;
         for (std::size_t n = 0; n < claims_.size(); ++n) {
-            if (claims_[n].boundary != nullptr || sides_.users[n].size() != 1) continue;
+            if (sides_.collapsed[n] > 0 || !is_unclaimed(n)) continue;
             rest.sides.push_back(static_cast<int>(n));
             names.push_back(sides_.names[n]);
         }
@@ -123,6 +151,10 @@ public:
     }
 
 private:
+    bool is_unclaimed(std::size_t side) const {
+        return claims_[side].boundary == nullptr && sides_.users[side].size() == 1;
+    }
+
     std::optional<int> find(const Name& name) {
         const NameTable& edges = network_.edge_names;
         const NameTable& faces = network_.face_names;
@@ -198,10 +230,11 @@ void check_family_names(const Case& c, Diagnostics& diagnostics) {
     }
     for (const BoundaryEntry& boundary : c.boundaries) {
         const Name& name = boundary.name;
-        if (name.value == unassigned_family) {
+        const bool of_poles = name.value == line_family || name.value == point_family;
+        if (name.value == unassigned_family || of_poles) {
             diagnostics.error(name.place,
-                              fmt::format("{} is the family of the sides that no boundary names",
-                                          quoted(name.value)),
+                              fmt::format("{} is the family of the {} that no boundary names",
+                                          quoted(name.value), of_poles ? "poles" : "sides"),
                               "give this boundary another name");
         }
         const auto zone = zones.find(name.value);
@@ -224,6 +257,7 @@ void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostic
     const int errors = diagnostics.errors();
     Assignment assignment(network, sides, diagnostics);
     for (const BoundaryEntry& entry : c.boundaries) assignment.add(entry);
+    assignment.collect_poles();
     // After a fault, what seems uncovered may be what a boundary failed to name.
     if (network.intact && diagnostics.errors() == errors) {
         assignment.collect_unassigned(Place{c.source, 0, 0});

@@ -10,9 +10,14 @@ namespace hexweave {
 /// The family of free sides that no boundary names.
 inline constexpr const char* unassigned_family = "unassigned";
 
+/// The families of the free sides that are collapsed to a line, and to a point.
+inline constexpr const char* line_family = "pole_line";
+inline constexpr const char* point_family = "pole_point";
+
 /// Fills the boundaries. Reports sides that more than two faces (blocks) share, boundaries on
 /// interior sides or named twice, and warns of free sides that no boundary names: they go to the
-/// family `unassigned`.
+/// family `unassigned`. Poles that no boundary names go to families of their own: collapsed to a
+/// line to `pole_line` (BCDegenerateLine), to a point to `pole_point` (BCDegeneratePoint).
 void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostics);
 
 /// Checks that the sides of symmetry planes lie on them to 1e-9 of the grid's size, moves their

@@ -119,6 +119,7 @@ struct EdgeEntry {
     std::optional<Located<Vec3>> through;  ///< picks the way on a closed curve
     std::optional<Located<int>> cells;
     std::optional<Located<SpacingEntry>> spacing;
+    bool pole = false;  ///< collapsed to the vertex that is both `from` and `to`
 };
 
 enum class Method { elliptic, algebraic };

@@ -39,7 +39,7 @@ std::vector<SideChain> side_chains(const std::vector<EdgeOfSide>& side) {
         std::vector<SideChain> longer;
         for (const bool backwards : {false, true}) {
             if (next.reversed && *next.reversed != backwards) continue;
-            const EdgeUse use{next.edge, backwards};
+            const EdgeUse use{next.edge, backwards, next.pole};
             if (n == 0) {
                 longer.push_back({next.first(backwards), next.last(backwards), {use}});
                 continue;

@@ -18,6 +18,7 @@ struct EdgeOfSide {
     int start = 0;
     int end = 0;
     std::optional<bool> reversed;
+    bool pole = false;
 
     int first(bool backwards) const { return backwards ? end : start; }
     int last(bool backwards) const { return backwards ? start : end; }

@@ -69,6 +69,7 @@ FacesOfBlock faces_of(Draft& draft, const DraftBlock& block, const BlockSideEntr
         faces[s].strip = named[s].strip;
         for (const FaceUse& use : block.block.sides[s].faces) {
             faces[s].faces.push_back(draft.face(use.face).face.sides);
+            faces[s].collapsed.push_back(draft.face(use.face).face.is_collapsed());
         }
         for (const FaceUseEntry& entry : named[s].faces) {
             faces[s].required.push_back(

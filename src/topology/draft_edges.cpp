@@ -191,6 +191,14 @@ bool place_straight(Draft& draft, DraftEdge& edge) {
     return false;
 }
 
+/// A pole is a line without a length, at its vertex.
+void place_pole(Draft& draft, DraftEdge& edge) {
+    const DraftVertex& vertex = draft.vertex(edge.edge.start);
+    make_straight(edge.edge, vertex.vertex.position, vertex.vertex.position);
+    edge.edge.pole = true;
+    edge.sound = vertex.sound;
+}
+
 int use_vertex(Draft& draft, const Name& name) {
     const std::optional<int> index = draft.vertex_names.require(name, draft.diagnostics);
     if (!index) return -1;
@@ -250,6 +258,11 @@ void place_edges(Draft& draft) {
         edge.entry = &entry;
         edge.edge.start = use_vertex(draft, entry.from);
         edge.edge.end = use_vertex(draft, entry.to);
+        if (entry.pole) {
+            if (edge.edge.start >= 0) place_pole(draft, edge);
+            draft.edges.push_back(std::move(edge));
+            continue;
+        }
         const CurveEntry* along = entry.along ? use_curve(draft, *entry.along) : nullptr;
         if (edge.edge.start >= 0 && edge.edge.end >= 0) {
             if (along != nullptr) {

@@ -45,8 +45,10 @@ std::optional<std::array<std::vector<EdgeOfSide>, 4>> find_edges(Draft& draft,
                 found = false;
                 continue;
             }
-            EdgeOfSide use{edge->edge, drawn.edge.start, drawn.edge.end, std::nullopt};
+            EdgeOfSide use{edge->edge, drawn.edge.start, drawn.edge.end, std::nullopt,
+                           drawn.edge.pole};
             if (name.sign_given) use.reversed = name.reversed != edge->reversed;
+            if (use.pole) use.reversed = false;
             sides[s].push_back(use);
         }
     }
@@ -165,7 +167,8 @@ bool cuts_are_sound(Draft& draft, const DraftFace& face, const NamedSides& named
     std::map<int, std::vector<std::pair<std::size_t, const SignedName*>>> uses;
     for (std::size_t s = 0; s < 4; ++s) {
         for (std::size_t n = 0; n < named[s].size(); ++n) {
-            uses[face.face.sides[s][n].edge].emplace_back(s, &named[s][n]);
+            const EdgeUse& use = face.face.sides[s][n];
+            if (!use.pole) uses[use.edge].emplace_back(s, &named[s][n]);
         }
     }
     bool sound = true;
@@ -185,6 +188,45 @@ bool cuts_are_sound(Draft& draft, const DraftFace& face, const NamedSides& named
                 "a cut is on opposite sides, or twice on one side");
             sound = false;
         }
+    }
+    return sound;
+}
+
+bool is_pole(const std::vector<EdgeUse>& side) {
+    return std::all_of(side.begin(), side.end(), [](const EdgeUse& use) { return use.pole; });
+}
+
+/// A face without a surface is collapsed along an axis when its two sides along that axis are poles
+/// and the other two are one and the same line; a face of four poles along both.
+std::array<bool, 2> collapsed_axes(const Face& face) {
+    if (face.is_on_surface()) return {};
+    std::array<bool, 2> collapsed{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto& low = face.sides[2 * axis];
+        const auto& high = face.sides[2 * axis + 1];
+        const auto& low_along = face.sides[2 - 2 * axis];
+        const auto& high_along = face.sides[3 - 2 * axis];
+        const bool line = low == high || (is_pole(low) && is_pole(high));
+        collapsed[axis] = line && is_pole(low_along) && is_pole(high_along);
+    }
+    return collapsed;
+}
+
+/// Nothing can be asked of grid lines at a side that is a pole.
+bool poles_are_sound(Draft& draft, const DraftFace& face, const NamedSides& named) {
+    bool sound = true;
+    for (std::size_t s = 0; s < 4; ++s) {
+        if (!is_pole(face.face.sides[s])) continue;
+        const bool held = face.face.solve.heights[s].has_value();
+        if (!held && !face.face.orthogonal[s]) continue;
+        draft.diagnostics.error(named[s].front().place,
+                                fmt::format("{} of face {} is a pole: {}", name_of(face_sides[s]),
+                                            quoted(face.face.name),
+                                            held ? "no heights can be held there"
+                                                 : "no grid lines can meet it at right angles"),
+                                fmt::format("take {} out of '{}'", name_of(face_sides[s]),
+                                            held ? "heights" : "orthogonal"));
+        sound = false;
     }
     return sound;
 }
@@ -213,7 +255,9 @@ void join_face(Draft& draft, DraftFace& face, const NamedSides& named) {
     const FaceLoop& loop = loops.front();
     for (std::size_t s = 0; s < 4; ++s) face.face.sides[s] = loop[s].uses;
     face.face.corners = {loop[2].start, loop[2].end, loop[3].end, loop[3].start};
-    face.sound = cuts_are_sound(draft, face, named);
+    face.face.collapsed = collapsed_axes(face.face);
+    const bool poles = poles_are_sound(draft, face, named);
+    face.sound = cuts_are_sound(draft, face, named) && poles;
     for (const auto& side : face.face.sides) {
         for (const EdgeUse& use : side) face.sound = face.sound && draft.edge(use.edge).sound;
     }

@@ -17,7 +17,7 @@ std::vector<EdgeUse> backwards(const std::vector<EdgeUse>& side) {
     std::vector<EdgeUse> result;
     result.reserve(side.size());
     std::transform(side.rbegin(), side.rend(), std::back_inserter(result), [](const EdgeUse& use) {
-        return EdgeUse{use.edge, !use.reversed};
+        return EdgeUse{use.edge, !use.reversed && !use.pole, use.pole};
     });
     return result;
 }

@@ -86,19 +86,39 @@ Name read_name_at(Reading& reading, const YamlNode& entry, std::string_view key)
                            : read_name(reading, *node, fmt::format("'{}'", key));
 }
 
+/// The number of cells, where it is given; a fault leaves the edge without a vertex.
+void read_cells(Reading& reading, const YamlNode& node, EdgeEntry& edge) {
+    const YamlNode* cells = find(reading, node, "cells");
+    if (cells == nullptr) return;
+    const auto count = read_count(reading, *cells, "'cells'");
+    if (count) edge.cells = {*count, cells->place};
+    if (!count) edge.from.value.clear();
+}
+
+/// `{at: VERTEX, cells: n}`: an edge that is one vertex.
+void read_pole(Reading& reading, const YamlNode& node, const std::string& what, EdgeEntry& edge) {
+    edge.pole = true;
+    expect_mapping(reading, node, what, {"at", "cells"},
+                   {{"spacing", "a pole, an edge that is one vertex, has no spacing", ""},
+                    {"along", "a pole, an edge that is one vertex, follows no curve", ""}});
+    edge.from = edge.to = read_name_at(reading, node, "at");
+    read_cells(reading, node, edge);
+}
+
 EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
     const std::string what = fmt::format("edge '{}'", shown(node.key));
     EdgeEntry edge;
     edge.name = edge.from = edge.to = {{}, node.key_place};
     edge.name.value = node.key;
     if (find(reading, node, "at") != nullptr && find(reading, node, "from") == nullptr) {
-        reading.diagnostics.error(find(reading, node, "at")->key_place,
-                                  "poles, edges that are one vertex, are not in this version yet");
+        read_pole(reading, node, what, edge);
         return edge;
     }
     const Keys keys{"from", "to", "along", "surface", "through", "cells", "spacing"};
     if (!expect_mapping(reading, node, what, keys,
-                        {{"heights", "'heights' are not in this version yet",
+                        {{"at", "an edge is a pole 'at' a vertex, or goes 'from' one 'to' another",
+                          "leave out 'at', or 'from' and 'to'"},
+                         {"heights", "'heights' are not in this version yet",
                           "give a spacing with 'start', 'end' or 'positions'"}})) {
         return edge;
     }
@@ -116,11 +136,7 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
         if (point) edge.through = {*point, through->place};
         if (!point) edge.from.value.clear();
     }
-    if (const YamlNode* cells = find(reading, node, "cells")) {
-        const auto count = read_count(reading, *cells, "'cells'");
-        if (count) edge.cells = {*count, cells->place};
-        if (!count) edge.from.value.clear();
-    }
+    read_cells(reading, node, edge);
     if (const YamlNode* spacing = find(reading, node, "spacing")) {
         auto law = read_spacing(reading, *spacing);
         if (law) edge.spacing = {std::move(*law), spacing->place};

@@ -44,7 +44,8 @@ std::vector<Vec3> sample_side(const std::vector<Edge>& edges, const std::vector<
             ++position;
         }
         const Edge& edge = edge_of(position);
-        const double fraction = std::clamp((length - before) / edge.length, 0.0, 1.0);
+        const double fraction =
+            edge.pole ? 0.0 : std::clamp((length - before) / edge.length, 0.0, 1.0);
         points.push_back(point_at(edge, side[position].reversed ? 1 - fraction : fraction));
     }
     return points;

@@ -36,6 +36,13 @@ private:
         return beside && (face < columns || frame(face)[2] == frame(face - columns)[3]);
     }
 
+    /// Whether a collapsed face looks the same in an earlier orientation: it then is the same.
+    bool repeats(std::size_t face, std::size_t orientation) const {
+        const auto& frames = frames_[face];
+        const auto* const own = frames.begin() + orientation;
+        return std::find(frames.begin(), own, *own) != own;
+    }
+
     void place(std::size_t face) {
         most_placed_ = std::max(most_placed_, face);
         if (arrangements_.size() >= most_arrangements) return;
@@ -46,6 +53,7 @@ private:
         for (std::size_t o = 0; o < 8; ++o) {
             const auto& required = side_.required[face];
             if (required && *required != face_orientations()[o]) continue;
+            if (!required && side_.collapsed[face] && repeats(face, o)) continue;
             chosen_[face] = o;
             if (fits(face)) place(face + 1);
         }

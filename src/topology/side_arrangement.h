@@ -18,6 +18,7 @@ struct SideFaces {
     bool strip = false;
     std::vector<FrameSides> faces;                     ///< each face's own imin .. jmax
     std::vector<std::optional<Orientation>> required;  ///< by the user, for each face
+    std::vector<bool> collapsed;  ///< faces that are a line or a point: alike in some orientations
 };
 
 /// One way in which the faces of a side fit together.

@@ -196,7 +196,7 @@ Oriented root_of(Laws& laws, int edge) {
     if (laws.like[e]) {
         root = root_through(laws, *laws.like[e]);
         if (laws.faulty[static_cast<std::size_t>(laws.like[e]->edge)]) laws.faulty[e] = true;
-    } else if (!laws.has_law(edge)) {
+    } else if (!laws.has_law(edge) && !laws.network.edge(edge).pole) {
         root = inherited(laws, edge);
     }
     if (laws.state[e] == State::visiting) {

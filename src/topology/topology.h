@@ -63,6 +63,7 @@ struct Edge {
     std::optional<double> asked_end;
     std::vector<AxisPlane> planes;  ///< symmetry planes it lies on: its points are exactly there
     bool made = false;              ///< not drawn by the user: a straight edge between two corners
+    bool pole = false;              ///< collapsed to one vertex: no length, all its points there
 };
 
 /// A vertex or an edge that was put onto a surface, and how far it was moved for that at most.
@@ -73,9 +74,11 @@ struct PutOnSurface {
     Vec3 place;  ///< before
 };
 
+/// An edge as a part of a side. A pole has no direction: it is never reversed.
 struct EdgeUse {
     int edge = 0;
     bool reversed = false;
+    bool pole = false;
 
     friend bool operator==(const EdgeUse&, const EdgeUse&) = default;
 };
@@ -105,7 +108,11 @@ struct Face {
     std::optional<AxisPlane>
         plane;  ///< the symmetry plane it lies on: its points are exactly there
     bool made = false;
+    /// Collapsed along i, along j: every grid line along that axis is one point. Along both, the
+    /// face is a vertex; along one, an edge.
+    std::array<bool, 2> collapsed{};
 
+    bool is_collapsed() const { return collapsed[0] || collapsed[1]; }
     const std::vector<EdgeUse>& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
     Extent extent() const { return {cells_i + 1, cells_j + 1, 1}; }
     /// Otherwise it is a minimal surface.

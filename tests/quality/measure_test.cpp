@@ -127,6 +127,27 @@ TEST_CASE("a block edge at 180 degrees gives flat corners all along it") {
     CHECK(m.folded == 0);
 }
 
+TEST_CASE("corners at a pole are counted apart, folds beside it are not") {
+    const auto polar = [](double i, double j, double k) {
+        return Vec3{i * std::cos(0.3 * j), i * std::sin(0.3 * j), k};
+    };
+    // Two corners of each of the four cells at the centre; of a block's cells four.
+    Zone face = make_zone({4, 5, 1}, polar);
+    CHECK(measure_zone(face, 2).pole_corners == 8);
+    CHECK(measure_zone(face, 2).folded == 0);
+    CHECK(measure_zone(face, 2).worst_scaled_jacobian == Approx(std::cos(0.15)));
+    Zone block = make_zone({4, 5, 3}, polar);
+    const ZoneMeasure m = measure_zone(block, 3);
+    CHECK(m.pole_corners == 32);
+    CHECK(m.folded == 0);
+    CHECK(m.flat_corners == 0);
+    block.points.set(1, 2, 1, -1.0 * block.points(1, 2, 1));
+    CHECK(measure_zone(block, 3).folded > 0);
+    // Two neighbours inside of a grid that are one point are no pole.
+    face.points.set(1, 2, 0, face.points(2, 2));
+    CHECK(measure_zone(face, 2).folded > 0);
+}
+
 TEST_CASE("an unsound report says so") {
     Report report;
     CHECK(report.sound());

@@ -79,7 +79,7 @@ std::string broken_block(const Topology& t, const Block& b) {
 
 std::string broken_promise(const Topology& t) {
     for (const Edge& e : t.edges) {
-        if (e.cells < 1 || !(e.length > 0)) return e.name + ": cells or length";
+        if (e.cells < 1 || !(e.length > 0 || e.pole)) return e.name + ": cells or length";
         const auto at = [&](int vertex) { return t.vertices[static_cast<std::size_t>(vertex)]; };
         const double near = 1e-6 * t.size;
         if (distance(evaluate(*e.curve, e.from), at(e.start).position) > near) return e.name;

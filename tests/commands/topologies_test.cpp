@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Folded sides and poles through the whole program, with another program's opinion of the files.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/multiblock.h"
+#include "io/cgns.h"
+#include "tests/commands/program.h"
+
+using namespace hexweave;
+using namespace hexweave::testing;
+using Json = nlohmann::json;
+
+namespace {
+
+/// Runs a case of tests/cases/good and reads the grid back.
+MultiblockGrid sound_grid(const Scratch& scratch, const std::string& name, std::size_t poles) {
+    const Finished run = scratch.hexweave("run " HEXWEAVE_SOURCE_DIR "/tests/cases/good/" + name +
+                                          ".yaml --strict --json report.json -o grid.cgns");
+    INFO(run.out << run.err);
+    REQUIRE(run.exit_code == 0);
+    std::size_t pole_corners = 0;
+    const Json report = Json::parse(scratch.read("report.json"));
+    for (const Json& zone : report["report"]["zones"]) {
+        pole_corners += zone["pole_corners"].get<std::size_t>();
+        CHECK(zone["worst_scaled_jacobian"].get<double>() > 0.1);
+    }
+    CHECK(pole_corners == poles);
+    const Finished check = scratch.shell("cgnscheck -w3 grid.cgns");
+    INFO(check.out);
+    CHECK(check.out.find("ERROR") == std::string::npos);
+    CHECK(check.out.find("WARNING") == std::string::npos);
+    return read_cgns(scratch.path() / "grid.cgns");
+}
+
+std::string type_of(const MultiblockGrid& grid, const std::string& patch) {
+    for (const BoundaryPatch& p : grid.patches) {
+        if (p.name == patch) return grid.families[static_cast<std::size_t>(p.family)].type;
+    }
+    return "no such patch";
+}
+
+}  // namespace
+
+TEST_CASE("a block round a wing meets itself along its wake") {
+    const Scratch scratch;
+    const MultiblockGrid grid = sound_grid(scratch, "folded_wing", 0);
+    REQUIRE(grid.interfaces.size() == 1);
+    const Interface& wake = grid.interfaces[0];
+    CHECK(wake.zone == wake.donor);
+    // The transform and the ranges, as they stand in the file, on the file's own points.
+    const PointField& x = grid.zones[0].points;
+    int nodes = 0;
+    for (int k = wake.box.begin[2]; k <= wake.box.end[2]; ++k) {
+        for (int i = wake.box.begin[0]; i <= wake.box.end[0]; ++i) {
+            const Node other = donor_node(wake, {i, 0, k});
+            CHECK(x(i, 0, k) == x(other[0], other[1], other[2]));
+            CHECK(other[1] == 0);
+            CHECK(x(i, 0, k).z == 0);
+            ++nodes;
+        }
+    }
+    CHECK(nodes == 7 * 6);
+    CHECK(grid.patches.size() == 8);
+}
+
+TEST_CASE("a cylinder collapsed to its axis, whose points are on the axis") {
+    const Scratch scratch;
+    // Four corners of each of the 12 x 6 cells at the axis in either half.
+    const MultiblockGrid grid = sound_grid(scratch, "cylinder", std::size_t{4} * 12 * 6 * 2);
+    CHECK(type_of(grid, "centre") == "BCDegenerateLine");
+    for (const Zone& zone : grid.zones) {
+        for (int k = 0; k < 7; ++k) {
+            for (int j = 0; j < 13; ++j) {
+                CHECK(zone.points(0, j, k).x == 0);
+                CHECK(zone.points(0, j, k).y == 0);
+                const Vec3 wall = zone.points(8, j, k);
+                CHECK(std::hypot(wall.x, wall.y) == Approx(1).epsilon(1e-14));
+            }
+        }
+    }
+}
+
+TEST_CASE("an eighth of a ball collapsed to its middle and to its axis") {
+    const Scratch scratch;
+    // Four corners of the 10 x 8 cells at the middle, and four of the 10 x 6 at the axis; the
+    // innermost of these have two of them at the middle.
+    const MultiblockGrid grid =
+        sound_grid(scratch, "ball", std::size_t{10} * 8 * 4 + std::size_t{10} * 6 * 4 - 10 * 2);
+    CHECK(type_of(grid, "middle") == "BCDegeneratePoint");
+    CHECK(type_of(grid, "axis") == "BCDegenerateLine");
+    const PointField& x = grid.zones[0].points;
+    for (int j = 0; j < 9; ++j) {
+        for (int i = 0; i < 11; ++i) CHECK(norm(x(i, j, 6)) == Approx(1).epsilon(1e-12));
+    }
+}
