@@ -27,14 +27,15 @@ inline constexpr std::array<LengthUnit, 10> length_units{{{"m", 1.0},
 
 /// The unit of a name, or null.
 inline const LengthUnit* find_length_unit(std::string_view name) {
-    const auto found = std::find_if(length_units.begin(), length_units.end(),
-                                    [&](const LengthUnit& unit) { return unit.name == name; });
+    const auto* const found =
+        std::find_if(length_units.begin(), length_units.end(),
+                     [&](const LengthUnit& unit) { return unit.name == name; });
     return found == length_units.end() ? nullptr : &*found;
 }
 
 /// The unit of a length, or null.
 inline const LengthUnit* find_length_unit(double metres) {
-    const auto found =
+    const auto* const found =
         std::find_if(length_units.begin(), length_units.end(), [&](const LengthUnit& unit) {
             return std::abs(unit.metres - metres) < 1e-9 * unit.metres;
         });
