@@ -55,6 +55,9 @@ const std::vector<ShippedCase> shipped_cases{
      4, 42240,
      "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
      "--families wing symmetry farfield outflow"},
+    {"iges_wing", "", 6, 5760,
+     "--zones inner_up=49x21x1 inner_low=49x21x1 outer_up=49x29x1 outer_low=49x29x1 cap_up=49x13x1 "
+     "cap_low=49x13x1 --families root pole_point"},
     {"unit_square", "", 4, 6400,
      "--zones mild=41x41x1 strong=41x41x1 first_mild=41x41x1 first_strong=41x41x1 --families rim"},
     {"tanh", "", 2, 3200, "--zones left=41x41x1 right=41x41x1 --families rim"},
@@ -83,6 +86,7 @@ std::size_t mismatched_nodes(const MultiblockGrid& grid) {
 
 TEST_CASE("every shipped case gives a sound grid that other programs read") {
     for (const ShippedCase& c : shipped_cases) {
+        if (!HEXWEAVE_HAS_CAD && c.name == "iges_wing") continue;
         DYNAMIC_SECTION(c.name) {
             const Scratch scratch;
             const Finished run = scratch.hexweave("run " + shipped(c.name + ".yaml") + " " +
