@@ -16,6 +16,7 @@
 
 namespace hexweave {
 
+/// Around samples of a surface, in the rectangle of parameters of its face, or of a curve.
 struct CadBox {
     Vec3 low;
     Vec3 high;

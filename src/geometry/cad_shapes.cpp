@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/cad_shapes.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -26,18 +23,44 @@ namespace {
 
 using Rectangle = std::array<std::array<double, 2>, 2>;
 
-CadBox box_around(const TopoDS_Shape& shape) {
-    Bnd_Box box;
-    BRepBndLib::AddOptimal(shape, box, false, false);
-    if (box.IsVoid() || box.IsOpen()) return {};
-    box.SetGap(0);
-    CadBox around;
-    box.Get(around.low.x, around.low.y, around.low.z, around.high.x, around.high.y, around.high.z);
-    // Open CASCADE leaves that much room around a shape.
-    const double room = Precision::Confusion();
-    around.low += {room, room, room};
-    around.high -= {room, room, room};
-    return around;
+/// Around samples: Open CASCADE's own boxes are either far too large or take it longer than all
+/// the rest.
+class Box {
+public:
+    void add(const gp_Pnt& p) {
+        box_.low = {std::min(box_.low.x, p.X()), std::min(box_.low.y, p.Y()),
+                    std::min(box_.low.z, p.Z())};
+        box_.high = {std::max(box_.high.x, p.X()), std::max(box_.high.y, p.Y()),
+                     std::max(box_.high.z, p.Z())};
+    }
+    const CadBox& value() const { return box_; }
+
+private:
+    CadBox box_{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+};
+
+constexpr int box_samples = 32;
+
+double sample(double begin, double end, int n) {
+    return n == box_samples ? end : begin + (end - begin) * n / box_samples;
+}
+
+/// Around the part of a surface in the rectangle of a face.
+CadBox box_around(const CadFace& face, const Handle(Geom_Surface) & surface) {
+    Box box;
+    for (int j = 0; j <= box_samples; ++j) {
+        const double v = sample(face.range_v[0], face.range_v[1], j);
+        for (int i = 0; i <= box_samples; ++i) {
+            box.add(surface->Value(sample(face.range_u[0], face.range_u[1], i), v));
+        }
+    }
+    return box.value();
+}
+
+CadBox box_around(const Handle(Geom_Curve) & curve, double begin, double end) {
+    Box box;
+    for (int n = 0; n <= box_samples; ++n) box.add(curve->Value(sample(begin, end, n)));
+    return box.value();
 }
 
 /// The edges of a wire one behind the other, those that hang together with no other at the end.
@@ -127,7 +150,7 @@ CadFace cad_face(const TopoDS_Face& face) {
     const std::vector<TopoDS_Edge> edges = edges_of(face);
     for (const TopoDS_Edge& edge : edges) result.edges.push_back(cad_edge(edge));
     result.trimmed = is_trimmed(result, boundary_parameters(face, edges));
-    result.box = box_around(face);
+    result.box = box_around(result, surface);
     return result;
 }
 
@@ -155,7 +178,7 @@ CadCurve cad_edge(const TopoDS_Edge& edge) {
         return result;
     }
     set_curve(result, curve, begin, end);
-    if (result.fault.empty()) result.box = box_around(edge);
+    if (result.fault.empty()) result.box = box_around(curve, begin, end);
     return result;
 }
 
