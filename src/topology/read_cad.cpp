@@ -54,8 +54,8 @@ std::optional<CadUse> use_file(Reading& reading, const YamlNode& entry) {
     if (!can_read_cad()) {
         reading.diagnostics.error(
             entry.key_place,
-            fmt::format("'{}' is of a CAD file, which this hexweave was built without Open CASCADE "
-                        "to read",
+            fmt::format("'{}' is of a CAD file; this hexweave was built without Open CASCADE, "
+                        "which reads them",
                         shown(entry.key)),
             "build it with -DHEXWEAVE_CAD=ON; shapes by control points, nurbs or formulas need no "
             "Open CASCADE");
