@@ -62,9 +62,9 @@ std::shared_ptr<const Curve> read_curve(Shapes& shapes, const YamlNode& entry) {
     const std::string key = entry.find("surface") != nullptr
                                 ? "surface"
                                 : read_family(reading, entry, what, family_names());
-    if (key.empty()) return nullptr;
     const CurveFamily* family = find_family(curve_families(), key);
     const MadeFamily* made = find_family(made_families(), key);
+    if (family == nullptr && made == nullptr) return nullptr;  // told by read_family
     Keys keys{key};
     const Keys& further = family != nullptr ? family->further : made->further;
     keys.insert(keys.end(), further.begin(), further.end());
