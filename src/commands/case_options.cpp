@@ -76,8 +76,6 @@ void write_json_text(const std::string& text, const std::string& path) {
 }
 
 void add_case_options(CLI::App& command, CaseOptions& options) {
-    command.add_option("CONFIG", options.config, "the YAML file; - reads standard input")
-        ->required();
     command.add_option("--set", options.set, "give a parameter another value; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME=EXPR");

@@ -26,7 +26,7 @@ struct CaseOptions {
     bool quiet = false;
 };
 
-/// Adds CONFIG, --set, --level, -j, --json, --strict, --verbose and --quiet to a subcommand.
+/// Adds --set, --level, -j, --json, --strict, --verbose and --quiet to a subcommand.
 void add_case_options(CLI::App& command, CaseOptions& options);
 
 /// The config's text. Throws UsageError when it cannot be read.

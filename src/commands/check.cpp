@@ -28,6 +28,8 @@ void add_check(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand(
         "check", "read and resolve a config, tell cells and memory; solves and writes nothing");
     auto options = std::make_shared<CaseOptions>();
+    command->add_option("CONFIG", options->config, "the YAML file; - reads standard input")
+        ->required();
     add_case_options(*command, *options);
     command->callback([options, &chosen] {
         chosen = [options] {

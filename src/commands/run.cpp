@@ -5,9 +5,12 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "commands/case_options.h"
 #include "commands/command.h"
+#include "commands/golden.h"
 #include "commands/progress.h"
 #include "generate.h"
 #include "io/cgns.h"
@@ -18,8 +21,10 @@ namespace hexweave {
 namespace {
 
 struct RunOptions {
+    std::vector<std::string> configs;
     CaseOptions input;
     std::string output;
+    std::string golden;
 };
 
 /// Where the grid goes: -o, else the file's `output`, else the config's stem.
@@ -66,20 +71,43 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     return made.report.sound() ? ExitCode::done : ExitCode::not_sound;
 }
 
+ExitCode run_or_update(const RunOptions& options, Outcome& outcome) {
+    if (!options.golden.empty()) {
+        return update_goldens(options.golden, options.configs, options.input, outcome);
+    }
+    if (options.configs.size() > 1) {
+        throw UsageError("run takes one config, several with --golden DIR only");
+    }
+    return run(options, outcome);
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("run", "make the grid that a config describes");
     auto options = std::make_shared<RunOptions>();
-    add_case_options(*command, options->input);
     command
-        ->add_option("-o,--output", options->output,
-                     "write the grid here (default: what the config says, else its stem)")
-        ->type_name("FILE.cgns");
+        ->add_option("CONFIG", options->configs,
+                     "the YAML file; - reads standard input; several with --golden")
+        ->required();
+    add_case_options(*command, options->input);
+    CLI::Option* output =
+        command
+            ->add_option("-o,--output", options->output,
+                         "write the grid here (default: what the config says, else its stem)")
+            ->type_name("FILE.cgns");
+    command
+        ->add_option("--golden", options->golden,
+                     "keep the grid of each config as DIR/STEM.cgns, where there is none yet or "
+                     "where it differs from the one there")
+        ->type_name("DIR")
+        ->excludes(output);
     command->callback([options, &chosen] {
+        options->input.config = options->configs.front();
         chosen = [options] {
-            return run_case_command("run", options->input,
-                                    [options](Outcome& outcome) { return run(*options, outcome); });
+            return run_case_command("run", options->input, [options](Outcome& outcome) {
+                return run_or_update(*options, outcome);
+            });
         };
     });
 }

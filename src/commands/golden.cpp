@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/golden.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <list>
+
+#include "commands/compare.h"
+#include "commands/progress.h"
+#include "generate.h"
+#include "io/cgns.h"
+#include "io/comparison_text.h"
+#include "io/output_files.h"
+#include "io/report_text.h"
+
+namespace hexweave {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A golden grid that is about to change, and the line that will say so.
+struct Change {
+    OutputFiles files;
+    std::string path;
+    std::string line;
+};
+
+class Update {
+public:
+    Update(const std::string& folder, const CaseOptions& options, Outcome& outcome)
+        : folder_(folder), options_(options), outcome_(outcome) {
+        if (!fs::is_directory(folder)) {
+            throw UsageError(fmt::format("--golden: no such folder '{}'", folder));
+        }
+    }
+
+    /// Makes one grid and compares it with the golden one.
+    void make(const std::string& config) {
+        if (config == "-") {
+            throw UsageError("--golden: a golden grid is named after its config's file");
+        }
+        Diagnostics diagnostics;
+        const Topology topology =
+            read_topology(read_source(config), parse_overrides(options_.set), diagnostics);
+        settle_warnings(diagnostics, options_);
+        const fs::path path = folder_ / (fs::path(config).stem().string() + ".cgns");
+        OutputFiles files;
+        const fs::path staged = files.stage(path);
+        const Generated made = generate(topology, make_progress(options_.quiet));
+        outcome_.report = made.report;
+        if (!made.report.sound()) {
+            sound_ = false;
+            fmt::print(stderr, "{}: {}\n", config, verdict(made.report));
+            return;
+        }
+        files.write(staged, [&made](const auto& temporary) { write_cgns(made.grid, temporary); });
+        compare(path, staged, std::move(files), verdict(made.report));
+    }
+
+    /// Puts the new golden grids into their places.
+    ExitCode finish() {
+        if (!sound_) {
+            fmt::print(stderr,
+                       "hexweave: error: not every grid is sound; no golden grid changed\n");
+            return ExitCode::not_sound;
+        }
+        for (Change& change : changes_) {
+            change.files.commit();
+            outcome_.outputs.push_back(change.path);
+            fmt::print("{}\n", change.line);
+        }
+        return ExitCode::done;
+    }
+
+private:
+    void compare(const fs::path& path, const fs::path& staged, OutputFiles files,
+                 const std::string& soundness) {
+        const std::string shown = path.string();
+        if (!fs::exists(path)) {
+            changes_.push_back(
+                {std::move(files), shown, fmt::format("{}: new; {}", shown, soundness)});
+            return;
+        }
+        const GridComparison found = compare_files(staged.string(), shown, {});
+        const std::string result = verdict(found);
+        if (found.same()) {
+            if (!options_.quiet) fmt::print("{}: unchanged; {}\n", shown, result);
+            return;
+        }
+        if (!options_.quiet) fmt::print("{}:\n{}", shown, to_text(found));
+        changes_.push_back(
+            {std::move(files), shown, fmt::format("{}: updated; {}", shown, result)});
+    }
+
+    fs::path folder_;
+    const CaseOptions& options_;
+    Outcome& outcome_;
+    std::list<Change> changes_;
+    bool sound_ = true;
+};
+
+}  // namespace
+
+ExitCode update_goldens(const std::string& folder, const std::vector<std::string>& configs,
+                        const CaseOptions& options, Outcome& outcome) {
+    Update update(folder, options, outcome);
+    for (const std::string& config : configs) update.make(config);
+    return update.finish();
+}
+
+}  // namespace hexweave
