@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "geometry/cad.h"
 #include "geometry/curve.h"
 
 using namespace hexweave;
@@ -271,6 +272,7 @@ TEST_CASE("every bad case gives exactly the text beside it") {
     int pairs = 0;
     for (const auto& entry : std::filesystem::directory_iterator(".")) {
         if (entry.path().extension() != ".yaml") continue;
+        if (!can_read_cad() && entry.path().stem() == "cad") continue;
         const std::string name = entry.path().filename().string();
         std::filesystem::path expected = entry.path();
         expected.replace_extension(".txt");
