@@ -65,7 +65,7 @@ Answer answer_of(const std::string& text) {
 class SharedSlots {
 public:
     explicit SharedSlots(std::size_t piece_nodes)
-        : piece_nodes_(piece_nodes), size_(slots * 3 * piece_nodes * sizeof(double)) {
+        : piece_nodes_(piece_nodes), size_(std::size_t{slots} * 3 * piece_nodes * sizeof(double)) {
         memory_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         if (memory_ == MAP_FAILED) throw MachineError("out of memory; nothing was written");
     }

@@ -183,7 +183,7 @@ ZoneDeviation compare_points(const Portion& portion, const Piece& golden, const 
     const Work work{portion, golden, candidate, to_candidate, candidate_extent, allowed};
     const IndexBox& core = portion.core;
     const auto length = [&core](std::size_t axis) {
-        return static_cast<std::size_t>(core.end[axis] - core.begin[axis] + 1);
+        return static_cast<std::size_t>(core.end[axis] - core.begin[axis]) + 1;
     };
     const std::size_t rows = length(1) * length(2);
     // A fixed number of parts, put together in order: the same result for any number of threads.

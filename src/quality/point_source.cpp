@@ -163,6 +163,7 @@ std::array<Node, 64> sample_nodes(const Extent& extent) {
 
 std::vector<ZoneSurvey> survey(const PointSource& source) {
     std::vector<ZoneSurvey> found;
+    found.reserve(source.outline.zones.size());
     for (int zone = 0; zone < static_cast<int>(source.outline.zones.size()); ++zone) {
         found.push_back(survey_zone(source, zone));
     }
