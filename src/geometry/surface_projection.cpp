@@ -162,8 +162,23 @@ SurfaceProjection::SurfaceProjection(Surface surface) : surface_(std::move(surfa
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    box_ = {low, high};
     size_ = distance(low, high);
+    const double room = bulge();
+    box_ = {low - Vec3{room, room, room}, high + Vec3{room, room, room}};
+}
+
+/// How far the surface leaves its samples: an arc is an eighth of its second difference from its
+/// chord, in either direction; twice that.
+double SurfaceProjection::bulge() const {
+    double greatest = 0;
+    const auto at = [&](int i, int j) { return samples_[net_node(i, j)]; };
+    for (int n = 0; n <= intervals_; ++n) {
+        for (int m = 1; m < intervals_; ++m) {
+            greatest = std::max({greatest, norm(at(m - 1, n) - 2 * at(m, n) + at(m + 1, n)),
+                                 norm(at(n, m - 1) - 2 * at(n, m) + at(n, m + 1))});
+        }
+    }
+    return greatest / 2;
 }
 
 SurfaceParameters SurfaceProjection::net_parameters(int i, int j) const {

@@ -35,8 +35,9 @@ public:
     explicit SurfaceProjection(Surface surface);
 
     const Surface& surface() const { return surface_; }
-    /// The box around the samples, and its diagonal.
+    /// The box around the surface: around the samples, with room for what bulges between them.
     const SampleBox& box() const { return box_; }
+    /// The diagonal of the box around the samples.
     double size() const { return size_; }
 
     /// The point of the surface nearest to p, from the samples that are nearer than their
@@ -64,6 +65,7 @@ private:
                static_cast<std::size_t>(j) * (static_cast<std::size_t>(intervals_) + 1);
     }
     SurfaceParameters net_parameters(int i, int j) const;
+    double bulge() const;
 
     Surface surface_;
     std::vector<Vec3> samples_;

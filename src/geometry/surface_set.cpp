@@ -16,8 +16,17 @@ constexpr double on_surface = 1e-12;
 constexpr double same_place = 1e-11;
 /// Of distances, in sizes of the set.
 constexpr double rounding = 1e-14;
-/// Between its samples a surface may bulge out of their box by this share of its size.
-constexpr double bulge = 0.05;
+/// Surfaces overlap where their feet are no farther apart than this, in sizes of the set, and their
+/// normals no more than this cosine tells.
+constexpr double overlap = 1e-5;
+constexpr double same_normal = 0.9998;
+
+Vec3 normal_at(const Surface& surface, const SurfaceParameters& at) {
+    const Vec3 normal =
+        cross(evaluate_derivative_u(surface, at), evaluate_derivative_v(surface, at));
+    const double length = norm(normal);
+    return length > 0 ? normal / length : Vec3{};
+}
 
 }  // namespace
 
@@ -50,7 +59,7 @@ bool SurfaceSet::may_be_nearer(int patch, const Vec3& p, double distance_to) con
     };
     const Vec3 off{beyond(p.x, box.low.x, box.high.x), beyond(p.y, box.low.y, box.high.y),
                    beyond(p.z, box.low.z, box.high.z)};
-    return norm(off) - bulge * at(patch).size() < distance_to;
+    return norm(off) < distance_to;
 }
 
 PatchPoint SurfaceSet::nearest(const Vec3& p) const {
@@ -61,7 +70,21 @@ PatchPoint SurfaceSet::nearest(const Vec3& p) const {
         const PatchPoint other{patch, at(patch).nearest(p)};
         if (is_nearer(other, best)) best = other;
     }
-    return best;
+    return on_first(p, best);
+}
+
+PatchPoint SurfaceSet::on_first(const Vec3& p, const PatchPoint& found) const {
+    if (found.patch == 0 || on_border(found)) return found;
+    for (int patch = 0; patch < found.patch; ++patch) {
+        if (!may_be_nearer(patch, p, found.point.distance + overlap * size_)) continue;
+        const PatchPoint other{patch, at(patch).nearest_from(p, at(patch).nearest_sample(p))};
+        if (on_border(other)) continue;
+        if (distance(other.point.position, found.point.position) > overlap * size_) continue;
+        const double cosine = dot(normal_at(surface(patch), other.point.parameters),
+                                  normal_at(surface(found.patch), found.point.parameters));
+        if (std::abs(cosine) >= same_normal) return other;
+    }
+    return found;
 }
 
 bool SurfaceSet::on_border(const PatchPoint& place) const {
@@ -85,14 +108,14 @@ PatchPoint SurfaceSet::nearest_from(const Vec3& p, const std::vector<PatchPoint>
         searched[static_cast<std::size_t>(other.patch)] = true;
         if (is_nearer(other, best)) best = other;
     }
-    if (best.point.distance <= on_surface * size_ || !on_border(best)) return best;
+    if (best.point.distance <= on_surface * size_ || !on_border(best)) return on_first(p, best);
     for (int patch = 0; patch < count(); ++patch) {
         if (searched[static_cast<std::size_t>(patch)]) continue;
         if (!may_be_nearer(patch, p, best.point.distance)) continue;
         const PatchPoint other{patch, at(patch).nearest_from(p, at(patch).nearest_sample(p))};
         if (is_nearer(other, best)) best = other;
     }
-    return best;
+    return on_first(p, best);
 }
 
 std::vector<PatchPoint> SurfaceSet::along(const std::vector<Vec3>& line) const {

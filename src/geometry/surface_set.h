@@ -19,7 +19,9 @@ struct PatchPoint {
 };
 
 /// Finds nearest points on a set of surfaces. Where several surfaces meet, to 1e-11 of the size,
-/// the one searched first has the point: of the places to start from, else of the set.
+/// the one searched first has the point: of the places to start from, else of the set. Where two
+/// overlap (their feet are 1e-5 of the size apart, and their normals a degree) it is the first of
+/// the set.
 class SurfaceSet {
 public:
     /// Precondition: at least one.
@@ -42,6 +44,11 @@ public:
     /// The places of a line of points, each found from the one before; parameters are continued as
     /// long as the line stays on one surface.
     std::vector<PatchPoint> along(const std::vector<Vec3>& line) const;
+
+    /// The place that the first of overlapping surfaces gives to a point whose nearest one is
+    /// `found`. A trimmed surface, taken as the rectangle around what it is trimmed to, overlaps
+    /// with its neighbours: it is to be named after them.
+    PatchPoint on_first(const Vec3& p, const PatchPoint& found) const;
 
     /// Whether a place is on the border of its surface, where it does not close.
     bool on_border(const PatchPoint& at) const;
