@@ -98,7 +98,11 @@ Json solve(const SolveMeasure& s) {
             {"flat_at", s.flat_at},
             {"orthogonality",
              s.result.orthogonality ? orthogonality(*s.result.orthogonality) : Json(nullptr)},
-            {"heights", list(s.heights, held_heights)}};
+            {"heights", list(s.heights, held_heights)},
+            {"off_surface", s.off_surface ? Json{{"distance", number(s.off_surface->distance)},
+                                                 {"place", point(s.off_surface->place)},
+                                                 {"size", number(s.off_surface->size)}}
+                                          : Json(nullptr)}};
 }
 
 Json angles(const AngleMeasure& a) {
@@ -166,6 +170,13 @@ Json report_json(const Report& r) {
             {"walls", list(r.walls, wall)},
             {"spacings", list(r.spacings, spacing)},
             {"solves", list(r.solves, solve)},
+            {"put_on_surface", list(r.put_on_surface,
+                                    [](const PutMeasure& p) {
+                                        return Json{{"what", p.what},
+                                                    {"surfaces", p.surfaces},
+                                                    {"distance", number(p.distance)},
+                                                    {"place", point(p.place)}};
+                                    })},
             {"seconds", list(r.stages, [](const StageTime& s) {
                  return Json{{"stage", s.stage}, {"seconds", number(s.seconds)}};
              })}};

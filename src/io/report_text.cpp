@@ -114,6 +114,28 @@ std::string untangling_line(const SolveResult& result) {
     return text + "\n";
 }
 
+/// How far the edges of a face are off its surfaces; by default only where it is more than points
+/// of a surface are allowed to be.
+std::string off_surface_line(const SolveMeasure& s, bool verbose) {
+    constexpr double allowed = 1e-10;
+    if (!s.off_surface) return {};
+    const OffSurface& off = *s.off_surface;
+    if (off.distance <= allowed * off.size && !verbose) return {};
+    return fmt::format("  its edges are up to {:.2g} off its surface, at {}\n", off.distance,
+                       place_text(off.place));
+}
+
+/// What was put onto surfaces, and how far it was moved for that.
+std::string put_lines(const Report& report) {
+    std::string text;
+    for (const PutMeasure& p : report.put_on_surface) {
+        text += fmt::format("{} was put onto {}: it moved by {:.3g}{} {}\n", p.what, p.surfaces,
+                            p.distance, p.what.rfind("edge", 0) == 0 ? " at most, at" : " from",
+                            place_text(p.place));
+    }
+    return text;
+}
+
 std::string solve_row(const SolveMeasure& s, std::size_t width) {
     const SolveResult& r = s.result;
     const std::string name = (s.is_block ? "block " : "face ") + s.name;
@@ -139,7 +161,7 @@ std::string solve_table(const Report& report, bool verbose) {
     for (const SolveMeasure& s : report.solves) {
         const SolveResult& r = s.result;
         text += solve_row(s, width) + safeguard_line(r) + untangling_line(r) +
-                orthogonality_line(r, verbose);
+                orthogonality_line(r, verbose) + off_surface_line(s, verbose);
         if (!verbose) continue;
         if (!s.flat_at.empty()) {
             text += fmt::format("  sides meet flat at {}\n", fmt::join(s.flat_at, ", "));
@@ -298,7 +320,7 @@ std::vector<std::string> faults(const Report& report) {
 }  // namespace
 
 std::string to_text(const Report& report, bool verbose) {
-    std::string text = spacing_table(report);
+    std::string text = spacing_table(report) + put_lines(report);
     text += "\n" + solve_table(report, verbose);
     text += "\n" + height_table(report) + zone_table(report);
     text += "\n" + angle_line(report) + growth_line(report) + wall_lines(report);

@@ -248,6 +248,9 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
     }
     report.walls = measure_walls(grid);
     report.spacings = measure_spacings(topology, edges);
+    for (const PutOnSurface& put : topology.put_on_surface) {
+        report.put_on_surface.push_back({put.what, put.surfaces, put.distance, put.place});
+    }
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Face& face = topology.faces[f];
         report.solves.push_back({face.name,
@@ -255,7 +258,8 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
                                  face.extent(),
                                  faces[f].solve,
                                  {},
-                                 measure_heights(faces[f].points, faces[f].heights)});
+                                 measure_heights(faces[f].points, faces[f].heights),
+                                 faces[f].off_surface});
         for (std::size_t corner = 0; corner < 4; ++corner) {
             if (!faces[f].flat_corners[corner]) continue;
             const auto vertex = static_cast<std::size_t>(face.corners[corner]);

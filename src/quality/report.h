@@ -11,6 +11,7 @@
 #include "core/orientation.h"
 #include "core/vec3.h"
 #include "elliptic/solve_result.h"
+#include "faces/off_surface.h"
 #include "quality/angles.h"
 #include "quality/growth.h"
 #include "quality/walls.h"
@@ -47,6 +48,7 @@ struct SolveMeasure {
     /// Vertices of a face, edges of a block, where two of its sides meet flat.
     std::vector<std::string> flat_at;
     std::vector<HeightMeasure> heights{};
+    std::optional<OffSurface> off_surface{};  ///< of the edges of a face on surfaces
 };
 
 /// The cells of one zone, measured anew from its points.
@@ -73,6 +75,14 @@ struct InterfaceMeasure {
     GrowthMeasure growth;        ///< across it
 };
 
+/// A vertex or an edge that was put onto surfaces: how far it was from them at most, and where.
+struct PutMeasure {
+    std::string what;      ///< "vertex 'a'"
+    std::string surfaces;  ///< "surface 'wing'"
+    double distance = 0;
+    Vec3 place;
+};
+
 struct StageTime {
     std::string stage;
     double seconds = 0;
@@ -87,6 +97,7 @@ struct Report {
     std::vector<WallMeasure> walls;
     std::vector<SpacingMeasure> spacings;
     std::vector<SolveMeasure> solves;
+    std::vector<PutMeasure> put_on_surface;
     std::vector<StageTime> stages;
 
     std::size_t folded() const;

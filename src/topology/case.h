@@ -116,6 +116,7 @@ struct EdgeEntry {
     Name to;
     std::optional<Name> along;             ///< a straight line where absent
     std::vector<Name> surfaces{};          ///< that it is put onto
+    std::optional<double> gap{};           ///< how far its ends may be off them
     std::optional<Located<Vec3>> through;  ///< picks the way on a closed curve
     std::optional<Located<int>> cells;
     std::optional<Located<SpacingEntry>> spacing;

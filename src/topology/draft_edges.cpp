@@ -41,7 +41,7 @@ std::vector<double> vertex_parameters(Draft& draft, const EdgeEntry& edge, const
         }
     }
     const CurvePoint foot = project(curve, vertex.vertex.position);
-    if (!(foot.distance <= on_curve * size_of(curve))) {
+    if (!(foot.distance <= edge.gap.value_or(on_curve * size_of(curve)))) {
         if (put) {
             draft.diagnostics.error(
                 place,

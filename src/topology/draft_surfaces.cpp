@@ -57,7 +57,9 @@ std::optional<SurfaceParameters> parameters_of(Draft& draft, const DraftVertex& 
         if (stated != nullptr && same) return *stated;
     }
     const SurfacePoint foot = projection.nearest(vertex.vertex.position);
-    if (foot.distance <= on_surface * projection.size()) return foot.parameters;
+    if (foot.distance <= edge.gap.value_or(on_surface * projection.size())) {
+        return foot.parameters;
+    }
     draft.diagnostics.error(
         place,
         fmt::format("vertex {} is not on the {}: it is {} away", quoted(vertex.vertex.name),
@@ -181,7 +183,7 @@ bool place_across_surfaces(Draft& draft, DraftEdge& edge) {
         for (const auto& [vertex, place] :
              {std::pair{&start, entry.from.place}, std::pair{&end, entry.to.place}}) {
             const PatchPoint foot = set.nearest(vertex->vertex.position);
-            if (foot.point.distance <= on_surface * set.size()) continue;
+            if (foot.point.distance <= entry.gap.value_or(on_surface * set.size())) continue;
             draft.diagnostics.error(
                 place,
                 fmt::format("vertex {} is on none of the {}: it is {} away",

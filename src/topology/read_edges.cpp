@@ -114,7 +114,7 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
         read_pole(reading, node, what, edge);
         return edge;
     }
-    const Keys keys{"from", "to", "along", "surface", "through", "cells", "spacing"};
+    const Keys keys{"from", "to", "along", "surface", "gap", "through", "cells", "spacing"};
     if (!expect_mapping(reading, node, what, keys,
                         {{"at", "an edge is a pole 'at' a vertex, or goes 'from' one 'to' another",
                           "leave out 'at', or 'from' and 'to'"},
@@ -131,6 +131,7 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
     if (const YamlNode* surface = find(reading, node, "surface")) {
         edge.surfaces = read_names(reading, *surface, "'surface'");
     }
+    edge.gap = read_gap(reading, node, "edges");
     if (const YamlNode* through = find(reading, node, "through")) {
         const auto point = read_point(reading, *through, "'through'");
         if (point) edge.through = {*point, through->place};

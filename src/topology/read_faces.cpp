@@ -88,17 +88,6 @@ std::vector<Name> read_surfaces(Reading& reading, const YamlNode& face) {
     return read_names(reading, *node, "'surface'");
 }
 
-/// The `gap` of a face on surfaces.
-std::optional<double> read_gap(Reading& reading, const YamlNode& face, bool on_surface) {
-    const YamlNode* node = find(reading, face, "gap");
-    if (node == nullptr) return std::nullopt;
-    if (!on_surface) {
-        reading.diagnostics.error(node->key_place, "'gap' is for faces on surfaces",
-                                  "name the 'surface', or remove 'gap'");
-    }
-    return read_positive(reading, *node, "'gap'");
-}
-
 /// Marks the side that one name of 'orthogonal' means, or tells why it means none.
 void mark_orthogonal(Reading& reading, const YamlNode& name, const Keys& sides,
                      std::array<bool, 4>& marked) {
@@ -156,7 +145,7 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
     face.how = read_method(reading, node, sides);
     face.orthogonal = read_orthogonal(reading, node, face.how.method);
     face.surfaces = read_surfaces(reading, node);
-    face.gap = read_gap(reading, node, !face.surfaces.empty());
+    face.gap = read_gap(reading, node, "faces");
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return face;
     if (*corners) {
@@ -301,6 +290,17 @@ std::optional<double> read_flat_edge_exponent(Reading& reading, const YamlNode& 
                               fmt::format("'flat_edge_exponent' must be at most 1, not {}", *value),
                               "1 is the arc length; 0.7 is the default of grids of blocks");
     return std::nullopt;
+}
+
+std::optional<double> read_gap(Reading& reading, const YamlNode& entry, const std::string& kind) {
+    const YamlNode* node = find(reading, entry, "gap");
+    if (node == nullptr) return std::nullopt;
+    const YamlNode* surface = find(reading, entry, "surface");
+    if (surface == nullptr || (surface->is_scalar() && surface->text == "minimal")) {
+        reading.diagnostics.error(node->key_place, fmt::format("'gap' is for {} on surfaces", kind),
+                                  "name the 'surface', or remove 'gap'");
+    }
+    return read_positive(reading, *node, "'gap'");
 }
 
 std::vector<FaceEntry> read_faces(Reading& reading, const YamlNode& section) {

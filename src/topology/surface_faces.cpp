@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -25,6 +27,11 @@ std::string target_text(const std::vector<Name>& names) {
     return fmt::format("any of the {}", surfaces_text(names));
 }
 
+/// A parameter as messages show it: round-off is zero.
+std::string parameter_text(double value, const std::array<double, 2>& range) {
+    return number_text(std::abs(value) <= 1e-12 * (range[1] - range[0]) ? 0 : value);
+}
+
 /// Reports an edge that is off the surfaces, where it is farthest off.
 bool check_edge(const Edge& edge, const FaceEntry& face, const SurfaceSet& surfaces,
                 Diagnostics& diagnostics) {
@@ -37,6 +44,7 @@ bool check_edge(const Edge& edge, const FaceEntry& face, const SurfaceSet& surfa
     const SurfacePoint& foot = farthest->point;
     if (foot.distance <= face.gap.value_or(on_surface * surfaces.size())) return true;
     const std::vector<Name>& names = face.surfaces;
+    const Surface& surface = surfaces.surface(farthest->patch);
     const std::string nearest =
         names.size() == 1
             ? "the surface"
@@ -47,8 +55,8 @@ bool check_edge(const Edge& edge, const FaceEntry& face, const SurfaceSet& surfa
                     target_text(names), number_text(foot.distance),
                     point_text(points[static_cast<std::size_t>(farthest - feet.begin())])),
         fmt::format("the nearest point of {} is {}, at u = {}, v = {}", nearest,
-                    point_text(foot.position), number_text(foot.parameters.u),
-                    number_text(foot.parameters.v)));
+                    point_text(foot.position), parameter_text(foot.parameters.u, surface.range_u),
+                    parameter_text(foot.parameters.v, surface.range_v)));
     if (!edge.made) error.notes.push_back({edge.place, "the edge stands here"});
     return false;
 }
