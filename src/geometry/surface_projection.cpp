@@ -51,20 +51,29 @@ private:
         along_v_ = width(surface_.range_v) * evaluate_derivative_v(surface_, at_);
     }
 
-    /// The linearized step with the present damping; a parameter that would leave its range stays.
+    /// The linearized step with the present damping; a parameter that would leave its range stays,
+    /// and the other one moves as if there were none but it.
     Step step() const {
         const Vec3 off = target_ - position_;
+        const double right_u = dot(along_u_, off);
+        const double right_v = dot(along_v_, off);
+        const bool stay_u = is_held(at_.u, right_u, surface_.range_u, surface_.closed_u);
+        const bool stay_v = is_held(at_.v, right_v, surface_.range_v, surface_.closed_v);
+        const Step both = step_of(stay_u ? 0 : right_u, stay_v ? 0 : right_v, stay_u || stay_v);
+        if (!stay_u && both.u != 0 && is_held(at_.u, both.u, surface_.range_u, surface_.closed_u)) {
+            return step_of(0, stay_v ? 0 : right_v, true);
+        }
+        if (!stay_v && both.v != 0 && is_held(at_.v, both.v, surface_.range_v, surface_.closed_v)) {
+            return step_of(stay_u ? 0 : right_u, 0, true);
+        }
+        return both;
+    }
+
+    Step step_of(double right_u, double right_v, bool apart) const {
         double uu = dot(along_u_, along_u_);
         double vv = dot(along_v_, along_v_);
         const double added = (damping_ + 1e-15) * std::max(uu, vv);
-        double uv = dot(along_u_, along_v_);
-        double right_u = dot(along_u_, off);
-        double right_v = dot(along_v_, off);
-        const bool stay_u = is_held(at_.u, right_u, surface_.range_u, surface_.closed_u);
-        const bool stay_v = is_held(at_.v, right_v, surface_.range_v, surface_.closed_v);
-        if (stay_u) right_u = 0;
-        if (stay_v) right_v = 0;
-        if (stay_u || stay_v) uv = 0;
+        const double uv = apart ? 0 : dot(along_u_, along_v_);
         uu += added;
         vv += added;
         const double determinant = uu * vv - uv * uv;

@@ -155,13 +155,19 @@ std::shared_ptr<const Curve> put_onto_surfaces(Draft& draft, const Curve& curve,
 
 void note_put_edge(Draft& draft, const DraftEdge& edge, const Curve& curve) {
     constexpr int samples = 64;
-    PutOnSurface put{
-        fmt::format("edge {}", quoted(edge.edge.name)), surfaces_text(edge.entry->surfaces), 0, {}};
-    for (int n = 0; n <= samples; ++n) {
-        const double t = edge.edge.from + (edge.edge.to - edge.edge.from) * n / samples;
+    const double low = std::min(edge.edge.from, edge.edge.to);
+    const double high = std::max(edge.edge.from, edge.edge.to);
+    // Knots of its parameters, which crowd where the curve bends.
+    std::vector<double> places = joints_between(*edge.edge.curve, low, high);
+    for (int n = 0; n <= samples; ++n) places.push_back(low + (high - low) * n / samples);
+    PutOnSurface put{fmt::format("edge {}", quoted(edge.edge.name)),
+                     surfaces_text(edge.entry->surfaces),
+                     -1,
+                     {}};
+    for (const double t : places) {
         const Vec3 before = evaluate(curve, t);
         const double moved = distance(before, evaluate(*edge.edge.curve, t));
-        if (n > 0 && moved <= put.distance) continue;
+        if (moved <= put.distance) continue;
         put.distance = moved;
         put.place = before;
     }

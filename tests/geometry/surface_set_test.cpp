@@ -147,3 +147,24 @@ TEST_CASE("a curve on a surface stays where it is when it is put onto it") {
         CHECK(distance(evaluate_derivative(put, t), evaluate_derivative(ring, t)) < 1e-9);
     }
 }
+
+TEST_CASE("points of a border are found along it, however its lines of parameters slant") {
+    const Surface slanting = formula_surface(
+        [](double u, double v) {
+            return Vec3{u + 0.9 * v, u * u / 4, v + std::sin(3 * v) / 4};
+        },
+        {0, 1}, {0, 1});
+    const SurfaceProjection projection(slanting);
+    std::vector<Vec3> line;
+    for (int n = 0; n <= 50; ++n) line.push_back(evaluate(slanting, {0, n / 50.0}));
+    for (const SurfacePoint& p : projection.along(line)) CHECK(p.distance < 1e-14);
+    for (const Vec3& p : line) {
+        // Beyond the border the nearest point is on it.
+        const SurfacePoint beyond = projection.nearest(p - Vec3{1e-3, 0, 0});
+        const Vec3 along = evaluate_derivative_v(slanting, beyond.parameters);
+        CHECK(beyond.parameters.u == 0);
+        if (beyond.parameters.v > 0 && beyond.parameters.v < 1) {
+            CHECK(std::abs(dot(p - Vec3{1e-3, 0, 0} - beyond.position, along)) < 1e-14);
+        }
+    }
+}
