@@ -94,7 +94,9 @@ TEST_CASE("the grid of the M6 wing on its CAD is on the CAD, also on what that i
         CHECK(on_patch[0] > 0);
         CHECK(on_patch[2] > 0);
         if (zone.name.rfind("cap", 0) == 0) {
-            for (const int nodes : on_patch) CHECK(nodes > 0);
+            // The rear triangle is smaller than a cell.
+            CHECK(on_patch[1] > 0);
+            CHECK(on_patch[3] > 0);
         }
     }
 }
