@@ -51,7 +51,7 @@ public:
     PatchPoint on_first(const Vec3& p, const PatchPoint& found) const;
 
     /// Whether a place is on the border of its surface, where it does not close.
-    bool on_border(const PatchPoint& at) const;
+    bool on_border(const PatchPoint& place) const;
 
 private:
     const SurfaceProjection& at(int patch) const {
