@@ -196,7 +196,15 @@ CgnsSource::CgnsSource(const std::filesystem::path& path) : path_(path), file_(p
 }
 
 void CgnsSource::cannot_read(const std::string& fact) const {
-    throw UsageError(fmt::format("cannot read '{}': {}", path_.string(), fact));
+    // Names in a damaged file may hold anything; a message is one line.
+    std::string line = fact;
+    const auto is_control = [](char c) {
+        constexpr char first_printable = 0x20;
+        constexpr char erase = 0x7f;
+        return (c >= 0 && c < first_printable) || c == erase;
+    };
+    std::replace_if(line.begin(), line.end(), is_control, '?');
+    throw UsageError(fmt::format("cannot read '{}': {}", path_.string(), line));
 }
 
 void CgnsSource::damaged() const {
