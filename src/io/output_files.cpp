@@ -190,7 +190,7 @@ TemporaryFile::TemporaryFile(const fs::path& neighbour, const fs::path& shown) {
         slot_ = register_temporary(path_);
         if (slot_ >= 0) return;
         unlink(path_.c_str());
-        cannot_write(shown, "too many output files, or too long a path");
+        cannot_write(shown, "too long a path");
     }
     cannot_write(
         shown, fmt::format("temporary files of former runs are in the way: '{}'", path_.string()));
@@ -207,6 +207,43 @@ TemporaryFile::~TemporaryFile() {
 
 void TemporaryFile::release() {
     forget_temporary(std::exchange(slot_, -1));
+}
+
+TemporaryFolder::TemporaryFolder(const fs::path& path) {
+    if (mkdir(path.c_str(), 0777) != 0) cannot_write(path, error_reason(errno));
+    path_ = fs::canonical(path);
+    slot_ = register_temporary(path_);
+    if (slot_ >= 0) return;
+    rmdir(path_.c_str());
+    cannot_write(path, "too long a path");
+}
+
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept
+    : path_(std::move(other.path_)), slot_(std::exchange(other.slot_, -1)) {}
+
+TemporaryFolder::~TemporaryFolder() {
+    if (slot_ < 0) return;
+    rmdir(path_.c_str());
+    forget_temporary(slot_);
+}
+
+void TemporaryFolder::release() {
+    forget_temporary(std::exchange(slot_, -1));
+}
+
+OutputFiles::~OutputFiles() {
+    staged_.clear();
+    while (!folders_.empty()) folders_.pop_back();
+}
+
+void OutputFiles::make_folder(const fs::path& folder) {
+    struct stat status = {};
+    if (stat(folder.c_str(), &status) == 0) {
+        if (!S_ISDIR(status.st_mode)) cannot_write(folder, "it is not a folder");
+        return;
+    }
+    require_folder(folder, folder);
+    folders_.emplace_back(folder);
 }
 
 fs::path OutputFiles::stage(const fs::path& final_path) {
@@ -249,10 +286,13 @@ void OutputFiles::commit() {
         replacement.replace(staged.temporary.path(), staged.final_path, staged.given_path);
         folders.insert(folder_of(staged.final_path));
     }
+    for (const TemporaryFolder& made : folders_) folders.insert(folder_of(made.path()));
     for (const fs::path& folder : folders) flush(folder, folder);
     replacement.keep();
     for (Staged& staged : staged_) staged.temporary.release();
     staged_.clear();
+    for (TemporaryFolder& made : folders_) made.release();
+    folders_.clear();
 }
 
 }  // namespace hexweave

@@ -32,8 +32,41 @@ private:
     int slot_ = -1;  ///< place in the table that the signal handler reads; -1: none
 };
 
+/// A folder that is removed when this object ends, and when a signal ends the process, if it is
+/// empty then.
+class TemporaryFolder {
+public:
+    /// Creates it; throws MachineError in the name of `path`.
+    explicit TemporaryFolder(const std::filesystem::path& path);
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder(TemporaryFolder&& other) noexcept;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+    ~TemporaryFolder();
+
+    const std::filesystem::path& path() const { return path_; }
+    /// The folder is to stay.
+    void release();
+
+private:
+    std::filesystem::path path_;
+    int slot_ = -1;
+};
+
 class OutputFiles {
 public:
+    OutputFiles() = default;
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles(OutputFiles&&) noexcept = default;
+    OutputFiles& operator=(const OutputFiles&) = delete;
+    OutputFiles& operator=(OutputFiles&&) = delete;
+    /// Inner folders go before those around them.
+    ~OutputFiles();
+
+    /// Makes the folder unless it is there; with a failure, or without `commit`, it goes again.
+    /// Throws MachineError when it cannot be made or something else has the name.
+    void make_folder(const std::filesystem::path& folder);
+
     /// The temporary path to write `final_path` to. A link is followed: the file that it points to
     /// gets replaced, the link stays. Throws MachineError, naming the path and the reason, when its
     /// folder is missing or not writable, when the path is a folder or a device, or when an
@@ -61,6 +94,7 @@ private:
         std::filesystem::path given_path;  ///< as the user wrote it, for messages
         std::filesystem::path final_path;  ///< links followed
     };
+    std::vector<TemporaryFolder> folders_;  // outlive what stands in them
     std::vector<Staged> staged_;
 };
 

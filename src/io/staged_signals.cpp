@@ -15,7 +15,7 @@
 namespace hexweave {
 namespace {
 
-constexpr int table_size = 64;
+constexpr int chunk_size = 64;
 constexpr std::size_t longest_path = 4096;
 
 struct Slot {
@@ -23,15 +23,53 @@ struct Slot {
     std::array<char, longest_path> path{};
 };
 
-// Static and fixed in size: the handler must neither allocate nor lock.
-std::array<Slot, table_size> table;
+/// A part of the table. The handler must neither allocate nor lock: chunks are added to the end and
+/// stay there until the process ends.
+struct Chunk {
+    std::array<Slot, chunk_size> slots;
+    std::atomic<Chunk*> next{nullptr};
+};
+Chunk first_chunk;
+
+/// The chunk of that number; added to the table when it is the next one.
+Chunk& chunk_at(int number) {
+    Chunk* chunk = &first_chunk;
+    for (; number > 0; --number) {
+        Chunk* next = chunk->next.load();
+        if (next == nullptr) {
+            next = new Chunk;  // never freed: the handler may come at any time
+            chunk->next.store(next);
+        }
+        chunk = next;
+    }
+    return *chunk;
+}
+
+// A folder may stand in another one: no more than three levels are made.
+constexpr int folder_levels = 3;
+
+void remove_all_temporaries() {
+    for (int round = 0; round <= folder_levels; ++round) {
+        for (Chunk* chunk = &first_chunk; chunk != nullptr; chunk = chunk->next.load()) {
+            for (Slot& slot : chunk->slots) {
+                if (!slot.used.load()) continue;
+                if (round == 0) {
+                    unlink(slot.path.data());  // does nothing to folders
+                } else {
+                    rmdir(slot.path.data());  // only where it is empty
+                }
+            }
+        }
+    }
+}
 
 // Who may touch the files: nobody is, a part of the program that must not be cut in two does, or
 // the signal handler has begun to remove them and the process is about to end.
 enum Phase : int { idle, held, removing };
 std::atomic<int> phase{idle};
 std::atomic<int> waiting_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+              std::atomic<void*>::is_always_lock_free);
 
 /// Ends the process by `signal_number`, as if it had never been handled.
 void end_by_signal(int signal_number) {
@@ -49,9 +87,7 @@ extern "C" void remove_and_end(int signal_number) {
     waiting_signal.store(signal_number);
     int expected = idle;
     if (!phase.compare_exchange_strong(expected, removing)) return;
-    for (Slot& slot : table) {
-        if (slot.used.load()) unlink(slot.path.data());
-    }
+    remove_all_temporaries();
     end_by_signal(signal_number);
 }
 
@@ -73,18 +109,23 @@ SignalsHeld::~SignalsHeld() {
 int register_temporary(const std::filesystem::path& absolute_path) {
     const std::string& text = absolute_path.native();
     if (text.size() >= longest_path) return -1;
-    for (int index = 0; index < table_size; ++index) {
-        Slot& slot = table[static_cast<std::size_t>(index)];
-        if (slot.used.load()) continue;
-        std::memcpy(slot.path.data(), text.c_str(), text.size() + 1);
-        slot.used.store(true);
-        return index;
+    for (int number = 0;; ++number) {
+        Chunk& chunk = chunk_at(number);
+        for (int index = 0; index < chunk_size; ++index) {
+            Slot& slot = chunk.slots[static_cast<std::size_t>(index)];
+            if (slot.used.load()) continue;
+            std::memcpy(slot.path.data(), text.c_str(), text.size() + 1);
+            slot.used.store(true);
+            return number * chunk_size + index;
+        }
     }
-    return -1;
 }
 
 void forget_temporary(int slot) {
-    if (slot >= 0) table[static_cast<std::size_t>(slot)].used.store(false);
+    if (slot < 0) return;
+    chunk_at(slot / chunk_size)
+        .slots[static_cast<std::size_t>(slot % chunk_size)]
+        .used.store(false);
 }
 
 void remove_staged_files_on_signals() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which temporary files a signal must remove: a table that a signal handler may read, because
-// nothing in it is ever allocated.
+// Which temporary files and folders a signal must remove: a table that a signal handler may read,
+// because nothing in it is ever freed.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ public:
     ~SignalsHeld();
 };
 
-/// Registers an absolute path for removal; returns its slot, or -1 when the table is full or the
-/// path too long for it.
+/// Registers the absolute path of a file, or of a folder that goes when it is empty then, for
+/// removal; returns its slot, or -1 when the path is too long.
 int register_temporary(const std::filesystem::path& absolute_path);
 void forget_temporary(int slot);
 

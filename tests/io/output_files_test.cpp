@@ -172,3 +172,38 @@ TEST_CASE("The longest name that a file system allows can be written") {
     files.commit();
     CHECK(scratch.names() == Names{name});
 }
+
+TEST_CASE("Hundreds of files can be staged at once") {
+    const Scratch scratch;
+    OutputFiles files;
+    for (int n = 0; n < 300; ++n) put(files.stage(scratch.path(std::to_string(n))), "grid");
+    CHECK(scratch.names().size() == 300);
+    files.commit();
+    CHECK(contents(scratch.path("299")) == "grid");
+    CHECK(scratch.names().size() == 300);
+}
+
+TEST_CASE("A folder that was made stays with its files, and goes without them") {
+    const Scratch scratch;
+    for (const bool commits : {false, true}) {
+        {
+            OutputFiles files;
+            files.make_folder(scratch.path("case"));
+            files.make_folder(scratch.path("case") / "inner");
+            put(files.stage(scratch.path("case") / "inner" / "grid"), "grid");
+            if (commits) files.commit();
+        }
+        CHECK(fs::exists(scratch.path("case")) == commits);
+    }
+    CHECK(contents(scratch.path("case") / "inner" / "grid") == "grid");
+    {
+        OutputFiles files;
+        files.make_folder(scratch.path("case"));  // not ours: it was there
+        put(files.stage(scratch.path("case") / "other"), "grid");
+    }
+    CHECK(scratch.names() == Names{"case"});
+    put(scratch.path("file"), "");
+    OutputFiles files;
+    CHECK_THROWS_AS(files.make_folder(scratch.path("file")), MachineError);
+    CHECK_THROWS_AS(files.make_folder(scratch.path("none") / "inner"), MachineError);
+}
