@@ -14,6 +14,10 @@ namespace hexweave {
 /// What comments of ours begin with.
 inline constexpr const char* map_comment = "# hexweave: ";
 
+/// The type of an interface whose two sides are not the same points: a word of ours, for programs
+/// that know it not must not join them.
+inline constexpr const char* periodic_word = "PERIODIC";
+
 /// A face in the file's order: number 1 is the first of map_faces.
 struct MapFace {
     Side side = Side::kmin;

@@ -121,10 +121,25 @@ private:
         if (key == "provenance") grid_.provenance = value;
         if (key == "zone") zone_name_ = value;
         if (key == "name") entry_name_ = value;
+        if (key == "periodic") read_periodicity(split(value));
         const std::size_t gap = value.find(' ');
         if (key == "family" && gap != std::string::npos) {
             grid_.families.push_back({value.substr(gap + 1), value.substr(0, gap)});
         }
+    }
+
+    void read_periodicity(const Words& words) {
+        std::array<double, 9> values{};
+        bool understood = words.size() == values.size();
+        for (std::size_t n = 0; understood && n < values.size(); ++n) {
+            const char* end = words[n].data() + words[n].size();
+            const auto result = std::from_chars(words[n].data(), end, values[n]);
+            understood = result.ec == std::errc{} && result.ptr == end;
+        }
+        if (!understood) fail("a periodicity is nine numbers: center, angles, translation");
+        periodic_ = Periodicity{{values[0], values[1], values[2]},
+                                {values[3], values[4], values[5]},
+                                {values[6], values[7], values[8]}};
     }
 
     int integer(const Words& words, std::size_t place) const {
@@ -211,7 +226,9 @@ private:
         const Range range = read_range(words, 1);
         const std::string name = std::exchange(entry_name_, {});
         if (word == "PATCHED") fail("interfaces that are not one-to-one are not read");
-        if (word != "ONE_TO_ONE") {
+        const bool joins_periodic = word == periodic_word && words.size() > 1 + range_words;
+        if (joins_periodic && !periodic_) fail("what carries one side onto the other is not said");
+        if (word != "ONE_TO_ONE" && !joins_periodic) {
             if (words.size() > 1 + range_words) fail("a boundary has six numbers");
             add_patch(words[0], name, range);
             return;
@@ -223,6 +240,7 @@ private:
             fail("a one-to-one interface has twelve numbers, then TRUE or FALSE");
         }
         add_interface(name, range, read_range(words, 1 + range_words), swaps);
+        if (joins_periodic) grid_.interfaces.back().periodic = std::exchange(periodic_, {});
     }
 
     /// Axis n of the map as an axis of the grid.
@@ -292,7 +310,7 @@ private:
         grid_.interfaces.push_back(
             forwards({name.empty() ? fmt::format("interface{}", grid_.interfaces.size() + 1) : name,
                       own.zone, without_left_out(own.box), other.zone, without_left_out(other.box),
-                      orientation}));
+                      orientation, std::nullopt}));
     }
 
     std::array<int, 3> without_left_out_axis(const std::array<int, 3>& axes) const {
@@ -318,6 +336,7 @@ private:
     int left_out_ = -1;  ///< the axis of the map that a planar grid does not have
     std::string zone_name_;
     std::string entry_name_;
+    std::optional<Periodicity> periodic_;
 };
 
 }  // namespace

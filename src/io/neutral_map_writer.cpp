@@ -64,7 +64,14 @@ void write_interface(const MultiblockGrid& grid, const Interface& given, ByteWri
     const auto across = static_cast<std::size_t>(
         std::abs(interface.orientation.axes[map_faces[own - 1].primary]) - 1);
     file.put(fmt::format("{}name {}\n", map_comment, on_one_line(interface.name)));
-    file.put(fmt::format("{:<16}{}{}  {}\n", "ONE_TO_ONE", range_text(zone, own, interface.box),
+    if (interface.periodic) {
+        const auto& [center, angle, translation] = *interface.periodic;
+        file.put(fmt::format("{}periodic {} {} {} {} {} {} {} {} {}\n", map_comment, center.x,
+                             center.y, center.z, angle.x, angle.y, angle.z, translation.x,
+                             translation.y, translation.z));
+    }
+    file.put(fmt::format("{:<16}{}{}  {}\n", interface.periodic ? periodic_word : "ONE_TO_ONE",
+                         range_text(zone, own, interface.box),
                          range_text(donor, other, interface.donor_box),
                          across == map_faces[other - 1].secondary ? "TRUE" : "FALSE"));
 }

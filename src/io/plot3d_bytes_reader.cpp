@@ -132,7 +132,7 @@ Plot3dLayout find_layout(Bytes& bytes) {
         for (const ByteOrder order : {ByteOrder::little, ByteOrder::big}) {
             bytes.has_marks = has_marks;
             bytes.order = order;
-            if (auto layout = fitting_layout(bytes)) return *layout;
+            if (const auto layout = fitting_layout(bytes)) return *layout;
         }
     }
     fits_no_layout(bytes.path);

@@ -48,6 +48,11 @@ inline void check_same_grid(const MultiblockGrid& grid, const MultiblockGrid& ex
         CHECK(a.box == b.box);
         CHECK(a.donor_box == b.donor_box);
         CHECK(a.orientation == b.orientation);
+        REQUIRE(a.periodic.has_value() == b.periodic.has_value());
+        if (!a.periodic) continue;
+        CHECK(a.periodic->center == b.periodic->center);
+        CHECK(a.periodic->angle == b.periodic->angle);
+        CHECK(a.periodic->translation == b.periodic->translation);
     }
     REQUIRE(grid.families.size() == expected.families.size());
     for (std::size_t n = 0; n < grid.families.size(); ++n) {
