@@ -26,6 +26,7 @@ constexpr std::array<Plot3dEnding, 10> plot3d{{{".p3d", Plot3dForm::text},
 std::optional<GridFormat> format_of_ending(std::string_view ending) {
     if (ending == ".cgns") return GridFormat::cgns;
     if (ending == ".vtm") return GridFormat::vtk;
+    if (ending == ".foam") return GridFormat::openfoam;
     for (const Plot3dEnding& known : plot3d) {
         if (ending == known.ending) return GridFormat::plot3d;
     }
@@ -41,7 +42,7 @@ std::string plot3d_endings() {
 }
 
 std::string known_endings() {
-    return ".cgns; Plot3D: " + plot3d_endings() + "; VTK: .vtm";
+    return ".cgns; Plot3D: " + plot3d_endings() + "; VTK: .vtm; OpenFOAM: .foam";
 }
 
 Plot3dForm plot3d_form_of_ending(std::string_view ending) {

@@ -18,13 +18,12 @@ enum class ByteOrder { little, big };
 
 struct GridOutput {
     GridFormat format = GridFormat::cgns;
-    std::string path;  ///< a file; for OpenFOAM the folder of the case
+    std::string path;  ///< a file; for OpenFOAM the case's folder, or a file .foam in it
     Plot3dForm form = Plot3dForm::unformatted;
     ByteOrder byte_order = ByteOrder::little;
 };
 
-/// The format that files with this ending (".cgns") have: nothing for an unknown one. No ending
-/// tells a case of OpenFOAM.
+/// The format that files with this ending (".cgns") have: nothing for an unknown one.
 std::optional<GridFormat> format_of_ending(std::string_view ending);
 /// ".cgns; .p3d, .p2d, ... for Plot3D; ...": for messages.
 std::string known_endings();

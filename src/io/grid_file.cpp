@@ -3,15 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
 
 #include "core/errors.h"
 #include "core/grid_output.h"
+#include "io/byte_writer.h"
 #include "io/cgns.h"
 #include "io/neutral_map.h"
+#include "io/openfoam.h"
 #include "io/plot3d.h"
+#include "io/poly_mesh.h"
+#include "io/vtk.h"
 
 namespace hexweave {
 namespace {
@@ -30,21 +35,124 @@ GridFormat format_to_read(const std::filesystem::path& path) {
     const auto format = format_of_ending(ending);
     if (format) return *format;
     if (begins_as_cgns(path)) return GridFormat::cgns;
-    throw UsageError(
-        fmt::format("cannot read '{}': its format is not known by its ending '{}' "
-                    "({})",
-                    path.string(), ending, known_endings()));
+    throw UsageError(unknown_ending("read", path.string()));
+}
+
+std::filesystem::path map_beside(std::filesystem::path path) {
+    return path.replace_extension(".nmf");
 }
 
 MultiblockGrid read_plot3d_and_map(const std::filesystem::path& path) {
     MultiblockGrid grid = read_plot3d(path);
-    std::filesystem::path map = path;
-    map.replace_extension(".nmf");
+    const std::filesystem::path map = map_beside(path);
     if (std::filesystem::exists(map)) read_neutral_map(map, grid);
     return grid;
 }
 
+constexpr const char* foam_ending = ".foam";
+
+bool names_marker(const std::filesystem::path& path) {
+    return path.extension() == foam_ending;
+}
+
+/// The folder of the case, made where it is not there, down to that of the mesh.
+std::filesystem::path make_case(const std::filesystem::path& path, OutputFiles& files) {
+    std::filesystem::path folder = names_marker(path) ? path.parent_path() : path;
+    if (folder.empty()) folder = ".";
+    if (!folder.has_filename()) folder = folder.parent_path();  // "case/"
+    files.make_folder(folder);
+    for (const char* inner : {"constant", "polyMesh"}) {
+        folder /= inner;
+        files.make_folder(folder);
+    }
+    return folder;
+}
+
+std::filesystem::path vtk_folder(std::filesystem::path path) {
+    return path.replace_extension();
+}
+
+void write_vtk(const MultiblockGrid& grid, const ReservedOutput& reserved, OutputFiles& files) {
+    const std::filesystem::path folder = vtk_folder(reserved.output.path);
+    const std::vector<VtkPiece> pieces = vtk_pieces(grid);
+    for (const VtkPiece& piece : pieces) {
+        files.write(files.stage(folder / piece.file),
+                    [&](const auto& path) { write_vtk_piece(grid, piece, path); });
+    }
+    files.write(reserved.staged[0], [&](const auto& path) {
+        write_vtk_index(grid, pieces, folder.filename().string(), path);
+    });
+}
+
+void write_openfoam(const MultiblockGrid& grid, const ReservedOutput& reserved,
+                    const OutputFiles& files) {
+    const PolyMesh mesh = make_poly_mesh(grid);
+    std::array<std::filesystem::path, poly_mesh_files.size()> paths;
+    std::copy_n(reserved.staged.begin(), paths.size(), paths.begin());
+    files.write(paths[0], [&](const auto&) { write_poly_mesh(mesh, paths); });
+}
+
 }  // namespace
+
+std::string unknown_ending(const char* verb, const std::string& path) {
+    return fmt::format("cannot {} '{}': its format is not known by its ending '{}' ({})", verb,
+                       path, std::filesystem::path(path).extension().string(), known_endings());
+}
+
+std::optional<GridOutput> output_by_name(const std::string& path) {
+    const std::string ending = std::filesystem::path(path).extension().string();
+    const auto format = format_of_ending(ending);
+    if (!format) return std::nullopt;
+    return GridOutput{*format, path, plot3d_form_of_ending(ending)};
+}
+
+ReservedOutput reserve(const GridOutput& output, OutputFiles& files) {
+    ReservedOutput reserved{output, {}};
+    const std::filesystem::path path = output.path;
+    switch (output.format) {
+        case GridFormat::cgns:
+            reserved.staged = {files.stage(path)};
+            break;
+        case GridFormat::plot3d:
+            reserved.staged = {files.stage(path), files.stage(map_beside(path))};
+            break;
+        case GridFormat::vtk:
+            reserved.staged = {files.stage(path)};
+            files.make_folder(vtk_folder(path));
+            break;
+        case GridFormat::openfoam: {
+            const std::filesystem::path folder = make_case(path, files);
+            for (const char* name : poly_mesh_files) {
+                reserved.staged.push_back(files.stage(folder / name));
+            }
+            if (names_marker(path)) reserved.staged.push_back(files.stage(path));
+            break;
+        }
+    }
+    return reserved;
+}
+
+void write_grid(const MultiblockGrid& grid, const ReservedOutput& reserved, OutputFiles& files) {
+    const GridOutput& output = reserved.output;
+    switch (output.format) {
+        case GridFormat::cgns:
+            files.write(reserved.staged[0], [&](const auto& path) { write_cgns(grid, path); });
+            break;
+        case GridFormat::plot3d:
+            files.write(reserved.staged[0], [&](const auto& path) {
+                write_plot3d(grid, path, output.form, output.byte_order);
+            });
+            files.write(reserved.staged[1],
+                        [&](const auto& path) { write_neutral_map(grid, path); });
+            break;
+        case GridFormat::vtk:
+            write_vtk(grid, reserved, files);
+            break;
+        case GridFormat::openfoam:
+            write_openfoam(grid, reserved, files);
+            break;
+    }
+}
 
 MultiblockGrid read_grid(const std::filesystem::path& path, std::optional<GridFormat> format) {
     switch (format ? *format : format_to_read(path)) {

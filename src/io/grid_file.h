@@ -10,6 +10,7 @@
 
 #include "core/grid_output.h"
 #include "core/multiblock.h"
+#include "io/output_files.h"
 
 namespace hexweave {
 
@@ -18,5 +19,26 @@ namespace hexweave {
 /// `format` overrules the name. Throws UsageError.
 MultiblockGrid read_grid(const std::filesystem::path& path,
                          std::optional<GridFormat> format = std::nullopt);
+
+/// "cannot read 'x.txt': ...", with the endings that are known. `verb` is "read" or "write".
+std::string unknown_ending(const char* verb, const std::string& path);
+
+/// What a path says about the format and, for Plot3D, the form; nothing for an unknown ending.
+std::optional<GridOutput> output_by_name(const std::string& path);
+
+/// An output for which a place is reserved: its folders are there, its first files are staged.
+struct ReservedOutput {
+    GridOutput output;
+    std::vector<std::filesystem::path> staged;
+};
+
+/// To be called before the grid is made, so that what cannot be written is told at once. Plot3D
+/// stands in two files (its map beside it, ending in .nmf), VTK in a .vtm file and a folder of its
+/// stem, OpenFOAM in constant/polyMesh under the case's folder; for a path that ends in .foam the
+/// case is the folder of that file, which ParaView opens and which is empty.
+ReservedOutput reserve(const GridOutput& output, OutputFiles& files);
+
+/// Writes the grid; `files` is to be committed after it.
+void write_grid(const MultiblockGrid& grid, const ReservedOutput& reserved, OutputFiles& files);
 
 }  // namespace hexweave
