@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
     hexweave::ChosenCommand chosen;
     hexweave::add_run(app, chosen);
     hexweave::add_check(app, chosen);
+    hexweave::add_convert(app, chosen);
     hexweave::add_plot(app, chosen);
     hexweave::add_geometry(app, chosen);
     hexweave::add_compare(app, chosen);

@@ -14,6 +14,7 @@ using ChosenCommand = std::function<ExitCode()>;
 
 void add_run(CLI::App& app, ChosenCommand& chosen);
 void add_check(CLI::App& app, ChosenCommand& chosen);
+void add_convert(CLI::App& app, ChosenCommand& chosen);
 void add_plot(CLI::App& app, ChosenCommand& chosen);
 void add_geometry(CLI::App& app, ChosenCommand& chosen);
 void add_compare(CLI::App& app, ChosenCommand& chosen);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hexweave run CONFIG: the main job.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <filesystem>
@@ -13,9 +13,10 @@
 #include "commands/golden.h"
 #include "commands/progress.h"
 #include "generate.h"
-#include "io/cgns.h"
+#include "io/grid_file.h"
 #include "io/output_files.h"
 #include "io/report_text.h"
+#include "topology/read_output.h"
 
 namespace hexweave {
 namespace {
@@ -23,22 +24,29 @@ namespace {
 struct RunOptions {
     std::vector<std::string> configs;
     CaseOptions input;
-    std::string output;
+    std::vector<std::string> outputs;
     std::string golden;
 };
 
 /// Where the grid goes: -o, else the file's `output`, else the config's stem.
-std::filesystem::path output_path(const RunOptions& options, const Topology& topology) {
-    std::filesystem::path path = options.output;
-    if (path.empty()) path = topology.cgns_output;
-    if (path.empty() && options.input.config == "-") {
+std::vector<GridOutput> outputs_of(const RunOptions& options,
+                                   const std::shared_ptr<const SourceFile>& source) {
+    std::vector<GridOutput> outputs;
+    if (options.outputs.empty()) outputs = outputs_of_case(source);
+    if (!outputs.empty()) return outputs;
+    if (options.outputs.empty() && options.input.config == "-") {
         throw UsageError("a config from standard input needs -o FILE or `output: {cgns: FILE}`");
     }
-    if (path.empty()) path = std::filesystem::path(options.input.config).stem().string() + ".cgns";
-    if (path.extension() != ".cgns") {
-        throw UsageError("cannot write '" + path.string() + "': the name must end in .cgns");
+    std::vector<std::string> paths = options.outputs;
+    if (paths.empty()) {
+        paths = {std::filesystem::path(options.input.config).stem().string() + ".cgns"};
     }
-    return path;
+    for (const std::string& path : paths) {
+        const auto output = output_by_name(path);
+        if (!output) throw UsageError(unknown_ending("write", path));
+        outputs.push_back(*output);
+    }
+    return outputs;
 }
 
 ExitCode run(const RunOptions& options, Outcome& outcome) {
@@ -49,14 +57,17 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     settle_warnings(outcome.diagnostics, options.input);
 
     // The output is staged before the work: a folder that cannot be written is told at once.
-    const std::filesystem::path path = output_path(options, topology);
     OutputFiles files;
-    const std::filesystem::path staged = files.stage(path);
+    std::vector<ReservedOutput> reserved;
+    for (const GridOutput& output : outputs_of(options, source)) {
+        reserved.push_back(reserve(output, files));
+    }
     const Generated made = generate(topology, make_progress(options.input.quiet));
     outcome.report = made.report;
-    files.write(staged, [&made](const auto& temporary) { write_cgns(made.grid, temporary); });
+    for (const ReservedOutput& output : reserved) write_grid(made.grid, output, files);
     files.commit();
-    outcome.outputs.push_back(path.string());
+    for (const ReservedOutput& output : reserved) outcome.outputs.push_back(output.output.path);
+    const std::string written = fmt::format("{}", fmt::join(outcome.outputs, ", "));
 
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     // With the JSON on standard output nothing else may stand there.
@@ -64,9 +75,9 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     if (!options.input.quiet) {
         fmt::print(out, "{}\n", to_text(made.report, options.input.verbose));
         fmt::print(out, "{}\n", verdict(made.report));
-        fmt::print(out, "wrote {} in {:.2f} s\n", path.string(), taken.count());
+        fmt::print(out, "wrote {} in {:.2f} s\n", written, taken.count());
     } else if (!made.report.sound()) {
-        fmt::print(stderr, "{}: {}\n", path.string(), verdict(made.report));
+        fmt::print(stderr, "{}: {}\n", written, verdict(made.report));
     }
     return made.report.sound() ? ExitCode::done : ExitCode::not_sound;
 }
@@ -93,8 +104,10 @@ void add_run(CLI::App& app, ChosenCommand& chosen) {
     add_case_options(*command, options->input);
     CLI::Option* output =
         command
-            ->add_option("-o,--output", options->output,
-                         "write the grid here (default: what the config says, else its stem)")
+            ->add_option("-o,--output", options->outputs,
+                         "write the grid here (default: what the config says, else its stem); the "
+                         "format is told by the ending; may be repeated")
+            ->allow_extra_args(false)
             ->type_name("FILE.cgns");
     command
         ->add_option("--golden", options->golden,

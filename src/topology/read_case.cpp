@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "topology/read_entries.h"
+#include "topology/read_output.h"
 #include "topology/read_parameters.h"
 #include "topology/read_values.h"
 #include "topology/shapes.h"
@@ -113,18 +114,11 @@ void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
     solver.flat_edge_exponent = read_flat_edge_exponent(reading, *node);
 }
 
-std::optional<Name> read_output(Reading& reading, const YamlNode& root) {
-    const YamlNode* node = section_of(reading, root, "output");
-    if (node == nullptr) return std::nullopt;
-    const std::string_view later = "this version writes CGNS only";
-    expect_mapping(
-        reading, *node, "'output'", {"cgns"},
-        {{"plot3d", later, "write cgns: FILE.cgns"}, {"vtk", later, "write cgns: FILE.cgns"}});
-    const YamlNode* path = find(reading, *node, "cgns");
-    if (path == nullptr) return std::nullopt;
-    const auto text = read_text(reading, *path, "'cgns'");
-    if (!text) return std::nullopt;
-    return Name{*text, path->place};
+std::optional<Name> read_cgns_output(Reading& reading, const YamlNode* section) {
+    for (const GridOutput& output : read_output(reading, section)) {
+        if (output.format == GridFormat::cgns) return Name{output.path, section->place};
+    }
+    return std::nullopt;
 }
 
 template <class Entry>
@@ -165,7 +159,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.blocks, reading, *root, "blocks", read_blocks);
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
     read_solver(reading, *root, c.solver);
-    c.cgns_output = read_output(reading, *root);
+    c.cgns_output = read_cgns_output(reading, section_of(reading, *root, "output"));
     if (!diagnostics.has_errors()) warn_unused_parameters(reading, c.parameters);
     return c;
 }

@@ -172,7 +172,7 @@ TEST_CASE("the command line is checked") {
     CHECK(contains(scratch.hexweave("run missing.yaml").err,
                    "cannot read 'missing.yaml': No such file or directory"));
     CHECK(scratch.hexweave("run tiny.yaml --set cells").exit_code == 2);
-    CHECK(scratch.hexweave("run tiny.yaml -o tiny.xyz").exit_code == 2);
+    CHECK(scratch.hexweave("run tiny.yaml -o tiny.txt").exit_code == 2);
     CHECK(scratch.hexweave("run tiny.yaml -j 0").exit_code == 2);
     CHECK(scratch.hexweave("run tiny.yaml --level fine").exit_code == 2);
     CHECK(contains(scratch.hexweave("run tiny.yaml --level fine").err, "later version"));
