@@ -11,3 +11,11 @@
 #else
 #define HEXWEAVE_VECTORIZED
 #endif
+
+/// Before a loop none of whose iterations reads what another writes, though the compiler cannot
+/// see it.
+#if defined(__clang__)
+#define HEXWEAVE_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define HEXWEAVE_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
+#endif

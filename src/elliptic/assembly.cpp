@@ -203,7 +203,7 @@ HEXWEAVE_VECTORIZED void assemble_segment(const Row& row, const RowSegment& segm
     float* const residuals = row.residuals;
     double* const right_hand_sides = row.right_hand_sides;
     const std::ptrdiff_t end = segment.first + segment.count;
-#pragma GCC ivdep
+    HEXWEAVE_INDEPENDENT_ITERATIONS
     for (std::ptrdiff_t p = segment.first; p < end; ++p) {
         std::array<Differences<Real, axes>, components> x;
         std::array<Differences<Real, axes>, axes> s;

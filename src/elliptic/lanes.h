@@ -9,14 +9,17 @@ namespace hexweave {
 
 inline constexpr int lane_count = 8;
 
-/// May lie at any address.
-using Lanes [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+using Lanes [[gnu::vector_size(32)]] = float;
 
-[[gnu::always_inline]] inline Lanes& lanes_at(float* p) {
-    return *reinterpret_cast<Lanes*>(p);
+/// From and to any address: a copy, since compilers differ in what they make of a vector type that
+/// is told to be less aligned.
+[[gnu::always_inline]] inline Lanes load_lanes(const float* p) {
+    Lanes lanes;
+    __builtin_memcpy(&lanes, p, sizeof lanes);
+    return lanes;
 }
-[[gnu::always_inline]] inline const Lanes& lanes_at(const float* p) {
-    return *reinterpret_cast<const Lanes*>(p);
+[[gnu::always_inline]] inline void store_lanes(float* p, Lanes lanes) {
+    __builtin_memcpy(p, &lanes, sizeof lanes);
 }
 
 /// The same pointer, of which the compiler does not know where it comes from. In a loop over the
@@ -29,30 +32,32 @@ template <class T>
 }
 
 /// Half as many, for transposing.
-using HalfLanes [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
+using HalfLanes [[gnu::vector_size(16)]] = float;
 
-[[gnu::always_inline]] inline HalfLanes& half_lanes_at(float* p) {
-    return *reinterpret_cast<HalfLanes*>(p);
+[[gnu::always_inline]] inline HalfLanes load_half_lanes(const float* p) {
+    HalfLanes lanes;
+    __builtin_memcpy(&lanes, p, sizeof lanes);
+    return lanes;
 }
-[[gnu::always_inline]] inline const HalfLanes& half_lanes_at(const float* p) {
-    return *reinterpret_cast<const HalfLanes*>(p);
+[[gnu::always_inline]] inline void store_half_lanes(float* p, HalfLanes lanes) {
+    __builtin_memcpy(p, &lanes, sizeof lanes);
 }
 
 /// Writes the columns of the 4 x 4 numbers whose rows begin at from[0] .. from[3] to to[0] ..
 /// to[3].
 [[gnu::always_inline]] inline void transpose(const float* const (&from)[4], float* const (&to)[4]) {
-    const HalfLanes a = half_lanes_at(from[0]);
-    const HalfLanes b = half_lanes_at(from[1]);
-    const HalfLanes c = half_lanes_at(from[2]);
-    const HalfLanes d = half_lanes_at(from[3]);
+    const HalfLanes a = load_half_lanes(from[0]);
+    const HalfLanes b = load_half_lanes(from[1]);
+    const HalfLanes c = load_half_lanes(from[2]);
+    const HalfLanes d = load_half_lanes(from[3]);
     const HalfLanes ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
     const HalfLanes ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
     const HalfLanes cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
     const HalfLanes cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    half_lanes_at(to[0]) = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-    half_lanes_at(to[1]) = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-    half_lanes_at(to[2]) = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-    half_lanes_at(to[3]) = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+    store_half_lanes(to[0], __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5));
+    store_half_lanes(to[1], __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7));
+    store_half_lanes(to[2], __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5));
+    store_half_lanes(to[3], __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7));
 }
 
 }  // namespace hexweave

@@ -51,17 +51,17 @@ template <int axes, int axis>
     constexpr int mixed = StencilLayout<axes>::mixed;
     constexpr int first = StencilLayout<axes>::first;
     const auto stencil = [=](int n) __attribute__((always_inline)) {
-        return lanes_at(c + n * length);
+        return load_lanes(c + n * length);
     };
     const auto at = [=](std::ptrdiff_t offset) __attribute__((always_inline)) {
-        return lanes_at(v + offset);
+        return load_lanes(v + offset);
     };
     const float* const before = unrelated(v + d.previous);
     const auto at_previous = [=](std::ptrdiff_t offset) __attribute__((always_inline)) {
-        return lanes_at(before + offset);
+        return load_lanes(before + offset);
     };
     const auto at_next = [=](std::ptrdiff_t offset) __attribute__((always_inline)) {
-        return lanes_at(before + offset + 1);
+        return load_lanes(before + offset + 1);
     };
     const std::ptrdiff_t j = d.stride_j;
     Lanes sum = stencil(mixed) * ((at_next(j) - at_next(-j)) - (at_previous(j) - at_previous(-j)));
@@ -111,17 +111,17 @@ HEXWEAVE_VECTORIZED void eliminate_across(const ColourRow& row, std::ptrdiff_t b
     for (int m = 0; m < d.count; m += lane_count) {
         if constexpr (axis == 2) prefetch_next_layer(d, m);
         const float* const c = unrelated(d.stencils + m);
-        const Lanes second = lanes_at(c + axis * d.length);
-        const Lanes slope = lanes_at(c + (first + axis) * d.length);
+        const Lanes second = load_lanes(c + axis * d.length);
+        const Lanes slope = load_lanes(c + (first + axis) * d.length);
         const Lanes below = second - slope;
-        const Lanes inverse = 1.0F / (1.0F - below * lanes_at(upper_before + m));
+        const Lanes inverse = 1.0F / (1.0F - below * load_lanes(upper_before + m));
         for (std::ptrdiff_t n = 0; n < components; ++n) {
             float* const v = unrelated(d.corrections + n * d.length + m);
-            const Lanes right = lanes_at(d.residuals + n * d.length + m) -
+            const Lanes right = load_lanes(d.residuals + n * d.length + m) -
                                 off_line_part<axes, axis>(c, d.length, v, d);
-            lanes_at(v) = (below * lanes_at(v - back) - right) * inverse;
+            store_lanes(v, (below * load_lanes(v - back) - right) * inverse);
         }
-        lanes_at(upper + m) = (second + slope) * inverse;
+        store_lanes(upper + m, (second + slope) * inverse);
     }
 }
 
@@ -131,7 +131,7 @@ HEXWEAVE_VECTORIZED void substitute_across(const ColourRow& row, std::ptrdiff_t 
     for (int m = 0; m < row.count; m += lane_count) {
         for (std::ptrdiff_t n = 0; n < components; ++n) {
             float* const v = row.corrections + n * row.length + m;
-            lanes_at(v) += lanes_at(upper + m) * lanes_at(v + ahead);
+            store_lanes(v, load_lanes(v) + load_lanes(upper + m) * load_lanes(v + ahead));
         }
     }
 }
@@ -201,14 +201,15 @@ HEXWEAVE_VECTORIZED void right_hand_side_along(const ColourRow& nodes, float* sc
     const ColourRow d = nodes;
     for (int m = 0; m < d.count; m += lane_count) {
         const float* const c = unrelated(d.stencils + m);
-        const Lanes second = lanes_at(c);
-        const Lanes slope = lanes_at(c + first * d.length);
-        lanes_at(scratch + m) = second - slope;
-        lanes_at(scratch + d.length + m) = second + slope;
+        const Lanes second = load_lanes(c);
+        const Lanes slope = load_lanes(c + first * d.length);
+        store_lanes(scratch + m, second - slope);
+        store_lanes(scratch + d.length + m, second + slope);
         for (std::ptrdiff_t n = 0; n < components; ++n) {
-            lanes_at(scratch + (2 + n) * d.length + m) =
-                lanes_at(d.residuals + n * d.length + m) -
-                off_line_part<axes, 0>(c, d.length, unrelated(d.corrections + n * d.length + m), d);
+            store_lanes(scratch + (2 + n) * d.length + m,
+                        load_lanes(d.residuals + n * d.length + m) -
+                            off_line_part<axes, 0>(c, d.length,
+                                                   unrelated(d.corrections + n * d.length + m), d));
         }
     }
 }
@@ -219,19 +220,19 @@ HEXWEAVE_VECTORIZED void solve_along(int ni, TransposedLines& t) {
     float* const upper = t.line(1);
     for (std::ptrdiff_t i = 1; i < ni - 1; ++i) {
         const std::ptrdiff_t here = i * lane_count;
-        const Lanes below = lanes_at(lower + here);
-        const Lanes inverse = 1.0F / (1.0F - below * lanes_at(upper + here - lane_count));
+        const Lanes below = load_lanes(lower + here);
+        const Lanes inverse = 1.0F / (1.0F - below * load_lanes(upper + here - lane_count));
         for (std::ptrdiff_t n = 0; n < components; ++n) {
             float* const v = t.line(2 + n) + here;
-            lanes_at(v) = (below * lanes_at(v - lane_count) - lanes_at(v)) * inverse;
+            store_lanes(v, (below * load_lanes(v - lane_count) - load_lanes(v)) * inverse);
         }
-        lanes_at(upper + here) *= inverse;
+        store_lanes(upper + here, load_lanes(upper + here) * inverse);
     }
     for (std::ptrdiff_t i = ni - 3; i > 0; --i) {
         const std::ptrdiff_t here = i * lane_count;
         for (std::ptrdiff_t n = 0; n < components; ++n) {
             float* const v = t.line(2 + n) + here;
-            lanes_at(v) += lanes_at(upper + here) * lanes_at(v + lane_count);
+            store_lanes(v, load_lanes(v) + load_lanes(upper + here) * load_lanes(v + lane_count));
         }
     }
 }
