@@ -75,6 +75,17 @@ Json untangling(const Untangling& u) {
             {"left_at", u.left_at ? point(*u.left_at) : Json(nullptr)}};
 }
 
+Json gate(const GateResult& g) {
+    return {{"gate", gate_name(g.measure)},
+            {"subject", g.subject},
+            {"limit", number(g.limit)},
+            {"got", number(g.got)},
+            {"met", g.met},
+            {"where", g.where},
+            {"place", g.place ? point(*g.place) : Json(nullptr)},
+            {"asked_at", place(g.asked_at)}};
+}
+
 Json solve(const SolveMeasure& s) {
     Json history = Json::array();
     for (const double step : s.result.history) history.push_back(number(step));
@@ -177,6 +188,7 @@ Json report_json(const Report& r) {
                                                     {"distance", number(p.distance)},
                                                     {"place", point(p.place)}};
                                     })},
+            {"gates", list(r.gates, gate)},
             {"seconds", list(r.stages, [](const StageTime& s) {
                  return Json{{"stage", s.stage}, {"seconds", number(s.seconds)}};
              })}};

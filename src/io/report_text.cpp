@@ -268,6 +268,24 @@ std::string wall_lines(const Report& report) {
     return text;
 }
 
+std::string gate_text(const GateResult& g) {
+    const bool lower = is_lower_limit(g.measure);
+    std::string text =
+        fmt::format("{}{} {:.4g}, {} {:.4g} required", g.subject.empty() ? "" : g.subject + ": ",
+                    gate_name(g.measure), g.got, lower ? "at least" : "at most", g.limit);
+    if (!g.where.empty()) text += ", in " + g.where;
+    if (g.place) text += " at " + place_text(*g.place);
+    return text;
+}
+
+std::string gate_lines(const Report& report) {
+    std::string text;
+    for (const GateResult& g : report.gates) {
+        text += fmt::format("gate {}: {}\n", g.met ? "met" : "MISSED", gate_text(g));
+    }
+    return text;
+}
+
 std::string stage_line(const Report& report) {
     std::string text = "seconds:";
     for (const StageTime& s : report.stages) {
@@ -314,6 +332,12 @@ std::vector<std::string> faults(const Report& report) {
         found.push_back(
             fmt::format("interface '{}' differs at {}", i.name, counted(i.mismatched, "node")));
     }
+    for (const GateResult& g : report.gates) {
+        if (g.met) continue;
+        found.push_back(fmt::format("gate missed ({}:{}:{}): {}",
+                                    g.asked_at.file ? g.asked_at.file->name : "", g.asked_at.line,
+                                    g.asked_at.column, gate_text(g)));
+    }
     return found;
 }
 
@@ -323,7 +347,8 @@ std::string to_text(const Report& report, bool verbose) {
     std::string text = spacing_table(report) + put_lines(report);
     text += "\n" + solve_table(report, verbose);
     text += "\n" + height_table(report) + zone_table(report);
-    text += "\n" + angle_line(report) + growth_line(report) + wall_lines(report);
+    text +=
+        "\n" + angle_line(report) + growth_line(report) + wall_lines(report) + gate_lines(report);
     text += "\n" + stage_line(report);
     return text;
 }

@@ -3,24 +3,14 @@
 
 #include <algorithm>
 
+#include "quality/lines_across.h"
+
 namespace hexweave {
 
 namespace {
 
 Vec3 at(const PointField& x, const Node& n) {
     return x(n[0], n[1], n[2]);
-}
-
-/// Of a box that is a part of a side of a zone: the step of nodes from the side into the zone.
-Node inward_step(const IndexBox& box, const Extent& extent) {
-    Node step{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const int last = extent[static_cast<int>(axis)] - 1;
-        if (last == 0 || box.begin[axis] != box.end[axis]) continue;
-        step[axis] = box.begin[axis] == 0 ? 1 : -1;
-        break;
-    }
-    return step;
 }
 
 Node operator+(const Node& a, const Node& b) {
@@ -62,22 +52,11 @@ std::array<GrowthMeasure, 3> measure_growth(const PointField& points) {
 }
 
 GrowthMeasure measure_growth(const MultiblockGrid& grid, const Interface& interface) {
-    const PointField& own = grid.zones[static_cast<std::size_t>(interface.zone)].points;
-    const PointField& donor = grid.zones[static_cast<std::size_t>(interface.donor)].points;
-    const IndexBox& box = interface.box;
-    const Node inward = inward_step(box, own.extent());
-    const Node onward = inward_step(interface.donor_box, donor.extent());
     GrowthMeasure growth;
-    for (int k = box.begin[2]; k <= box.end[2]; ++k) {
-        for (int j = box.begin[1]; j <= box.end[1]; ++j) {
-            for (int i = box.begin[0]; i <= box.end[0]; ++i) {
-                const Node n{i, j, k};
-                const Node m = donor_node(interface, n);
-                growth.include(distance(at(own, n), at(own, n + inward)),
-                               distance(at(donor, m), at(donor, m + onward)), at(own, n));
-            }
-        }
-    }
+    for_lines_across(grid, interface,
+                     [&](const Vec3& before, const Vec3& node, const Vec3& behind) {
+                         growth.include(distance(before, node), distance(node, behind), node);
+                     });
     return growth;
 }
 

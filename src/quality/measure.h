@@ -21,6 +21,9 @@ namespace hexweave {
 /// A surface zone is measured against +z when `physical_dimension` is 2.
 ZoneMeasure measure_zone(const Zone& zone, int physical_dimension);
 
+/// Whether the nodes on the two sides of an interface are the same, and the growth across it.
+InterfaceMeasure measure_interface(const MultiblockGrid& grid, const Interface& interface);
+
 /// All measures of a run; `stages` is left empty.
 Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
                const std::vector<FaceGrid>& faces, const std::vector<BlockGrid>& blocks,

@@ -43,4 +43,9 @@ std::size_t Report::unconverged() const {
         }));
 }
 
+std::size_t Report::missed_gates() const {
+    const auto missed = [](const GateResult& gate) { return !gate.met; };
+    return static_cast<std::size_t>(std::count_if(gates.begin(), gates.end(), missed));
+}
+
 }  // namespace hexweave

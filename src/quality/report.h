@@ -15,6 +15,7 @@
 #include "quality/angles.h"
 #include "quality/growth.h"
 #include "quality/walls.h"
+#include "topology/gate.h"
 
 namespace hexweave {
 
@@ -83,6 +84,18 @@ struct PutMeasure {
     Vec3 place;
 };
 
+/// A gate and what came of it.
+struct GateResult {
+    GateMeasure measure = GateMeasure::min_scaled_jacobian;
+    double limit = 0;
+    double got = 0;  ///< the worst; 0 where there was nothing to judge
+    bool met = true;
+    std::string subject;  ///< "face 'x'", "block 'y'"; empty for the whole grid
+    std::string where;    ///< "zone 'z'", "edge 'e'"; empty where there was nothing to judge
+    std::optional<Vec3> place;
+    Place asked_at;
+};
+
 struct StageTime {
     std::string stage;
     double seconds = 0;
@@ -98,6 +111,7 @@ struct Report {
     std::vector<SpacingMeasure> spacings;
     std::vector<SolveMeasure> solves;
     std::vector<PutMeasure> put_on_surface;
+    std::vector<GateResult> gates;
     std::vector<StageTime> stages;
 
     std::size_t folded() const;
@@ -106,8 +120,12 @@ struct Report {
     AngleMeasure angles() const;  ///< of all zones
     std::size_t mismatched() const;
     std::size_t unconverged() const;
-    /// No folded cell, every solve converged, every interface the same on both sides.
-    bool sound() const { return folded() == 0 && unconverged() == 0 && mismatched() == 0; }
+    std::size_t missed_gates() const;
+    /// No folded cell, every solve converged, every interface the same on both sides, no gate
+    /// missed.
+    bool sound() const {
+        return folded() == 0 && unconverged() == 0 && mismatched() == 0 && missed_gates() == 0;
+    }
 };
 
 }  // namespace hexweave

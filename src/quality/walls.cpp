@@ -116,20 +116,36 @@ WallMeasure WallCollector::finish() {
     return measure_;
 }
 
+WallMeasure measure_family(const MultiblockGrid& grid, std::size_t family,
+                           std::optional<int> zone = {}) {
+    WallCollector collector(grid.families[family].name);
+    for (const BoundaryPatch& patch : grid.patches) {
+        if (patch.family != static_cast<int>(family) || patch.zone != zone.value_or(patch.zone)) {
+            continue;
+        }
+        collector.include(grid.zones[static_cast<std::size_t>(patch.zone)].points, patch.box);
+    }
+    return collector.finish();
+}
+
 }  // namespace
 
-std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid) {
+std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, std::optional<int> zone) {
     std::vector<WallMeasure> walls;
     for (std::size_t f = 0; f < grid.families.size(); ++f) {
-        if (grid.families[f].type.rfind("BCWall", 0) != 0) continue;
-        WallCollector collector(grid.families[f].name);
-        for (const BoundaryPatch& patch : grid.patches) {
-            if (patch.family != static_cast<int>(f)) continue;
-            collector.include(grid.zones[static_cast<std::size_t>(patch.zone)].points, patch.box);
+        if (grid.families[f].type.rfind("BCWall", 0) == 0) {
+            walls.push_back(measure_family(grid, f, zone));
         }
-        walls.push_back(collector.finish());
     }
     return walls;
+}
+
+std::vector<WallMeasure> measure_boundaries(const MultiblockGrid& grid) {
+    std::vector<WallMeasure> boundaries;
+    for (std::size_t f = 0; f < grid.families.size(); ++f) {
+        boundaries.push_back(measure_family(grid, f));
+    }
+    return boundaries;
 }
 
 }  // namespace hexweave

@@ -2,6 +2,7 @@
 // The first cells at the walls: how upright they stand and how high they are.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,10 @@ struct WallMeasure {
     double greatest_height = 0;
 };
 
-/// One measure for every family whose type is BCWall or begins so.
-std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid);
+/// One measure for every family whose type is BCWall or begins so; of one zone's patches alone
+/// where `zone` is given.
+std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, std::optional<int> zone = {});
+/// One for every family.
+std::vector<WallMeasure> measure_boundaries(const MultiblockGrid& grid);
 
 }  // namespace hexweave

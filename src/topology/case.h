@@ -17,6 +17,7 @@
 #include "core/vec3.h"
 #include "geometry/curve.h"
 #include "geometry/surface.h"
+#include "topology/gate.h"
 
 namespace hexweave {
 
@@ -139,6 +140,7 @@ struct MethodEntry {
     std::optional<double> tolerance;  ///< displacement in cells; the global one where absent
     std::optional<double> flat_edge_exponent;  ///< the global one where absent
     HeightRequests heights{};
+    std::vector<Gate> gates{};
 };
 
 /// Four sides (imin, imax, jmin, jmax), each an edge or several in a row; or four corner vertices
@@ -209,6 +211,7 @@ struct Case {
     std::vector<BlockEntry> blocks;
     std::vector<BoundaryEntry> boundaries;
     SolverEntry solver;
+    std::vector<Gate> gates;
     std::optional<Name> cgns_output;
     std::string provenance;  ///< version, hash of the config, overrides
 };

@@ -194,7 +194,8 @@ SolveRequest solve_request(const Case& c, const MethodEntry& how) {
             c.solver.maximum_cycles,
             c.solver.start_folded,
             how.flat_edge_exponent.value_or(c.solver.flat_edge_exponent.value_or(exponent_unsaid)),
-            how.heights};
+            how.heights,
+            how.gates};
 }
 
 void place_corners(Draft& draft) {

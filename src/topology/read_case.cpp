@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "topology/read_entries.h"
+#include "topology/read_gates.h"
 #include "topology/read_output.h"
 #include "topology/read_parameters.h"
 #include "topology/read_values.h"
@@ -21,7 +22,7 @@ namespace {
 const Keys& case_keys() {
     static const Keys keys{"hexweave",   "title",    "units",  "parameters", "curves",
                            "surfaces",   "vertices", "edges",  "faces",      "blocks",
-                           "boundaries", "periodic", "solver", "output"};
+                           "boundaries", "periodic", "solver", "require",    "output"};
     return keys;
 }
 
@@ -160,6 +161,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
     read_solver(reading, *root, c.solver);
     c.cgns_output = read_cgns_output(reading, section_of(reading, *root, "output"));
+    c.gates = read_gates(reading, *root);
     if (!diagnostics.has_errors()) warn_unused_parameters(reading, c.parameters);
     return c;
 }

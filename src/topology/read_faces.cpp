@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "topology/read_entries.h"
+#include "topology/read_gates.h"
 #include "topology/read_heights.h"
 
 namespace hexweave {
@@ -31,6 +32,7 @@ MethodEntry read_method(Reading& reading, const YamlNode& node, const Keys& side
     }
     how.flat_edge_exponent = read_flat_edge_exponent(reading, node);
     how.heights = read_heights(reading, node, sides);
+    how.gates = read_gates(reading, node);
     return how;
 }
 
@@ -140,7 +142,7 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
 
     Keys keys = sides;
     keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "heights",
-                             "surface", "gap", "orthogonal"});
+                             "surface", "gap", "orthogonal", "require"});
     if (!expect_mapping(reading, node, what, keys)) return face;
     face.how = read_method(reading, node, sides);
     face.orthogonal = read_orthogonal(reading, node, face.how.method);
@@ -249,7 +251,8 @@ BlockEntry read_block(Reading& reading, const YamlNode& node) {
     BlockEntry block{{node.key, node.key_place}, faces, {}};
 
     Keys keys = sides;
-    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "heights"});
+    keys.insert(keys.end(),
+                {"corners", "method", "tolerance", "flat_edge_exponent", "heights", "require"});
     if (!expect_mapping(reading, node, what, keys)) return block;
     block.how = read_method(reading, node, sides);
     const std::optional<bool> corners = by_corners(reading, node, sides, what);

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quality/cell_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/parallel.h"
+#include "quality/cell_corners.h"
+#include "quality/jacobian_bound.h"
+
+namespace hexweave {
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// The nodes of a block's cell; of a surface cell the first four.
+CellNodes nodes_of(const PointField& x, const Node& cell) {
+    CellNodes nodes{};
+    const int corners = x.extent().nk == 1 ? 4 : 8;
+    for (int c = 0; c < corners; ++c) {
+        nodes[static_cast<std::size_t>(c)] =
+            x(cell[0] + (c & 1), cell[1] + ((c >> 1) & 1), cell[2] + (c >> 2));
+    }
+    return nodes;
+}
+
+Vec3 centre_of(const CellNodes& nodes, int count) {
+    Vec3 sum;
+    for (int c = 0; c < count; ++c) sum += nodes[static_cast<std::size_t>(c)];
+    return sum / count;
+}
+
+/// The edges of a cell, as pairs of corners: along i, j, k.
+struct EdgesOfCell {
+    std::array<std::array<std::size_t, 2>, 12> pairs{};
+    std::size_t count = 0;
+
+    explicit EdgesOfCell(std::size_t axes) {
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            const std::size_t bit = std::size_t{1} << axis;
+            for (std::size_t low = 0; low < (std::size_t{1} << axes); ++low) {
+                if ((low & bit) == 0) pairs[count++] = {low, low | bit};
+            }
+        }
+    }
+};
+
+/// Longest over shortest edge.
+double aspect_ratio(const CellNodes& nodes, std::size_t axes) {
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0;
+    const EdgesOfCell edges(axes);
+    for (std::size_t n = 0; n < edges.count; ++n) {
+        const double length = distance(nodes[edges.pairs[n][0]], nodes[edges.pairs[n][1]]);
+        if (length == 0) continue;
+        shortest = std::min(shortest, length);
+        longest = std::max(longest, length);
+    }
+    return longest > 0 ? longest / shortest : 1;
+}
+
+/// The cosines of the angles of a cell's quadrilaterals, at every corner for every pair of axes.
+template <class Visit>
+void visit_cosines(const CellNodes& nodes, std::size_t axes, Visit&& visit) {
+    for (std::size_t c = 0; c < (std::size_t{1} << axes); ++c) {
+        for (std::size_t a = 0; a < axes; ++a) {
+            for (std::size_t b = a + 1; b < axes; ++b) {
+                const Vec3 p = nodes[c ^ (std::size_t{1} << a)] - nodes[c];
+                const Vec3 q = nodes[c ^ (std::size_t{1} << b)] - nodes[c];
+                const double lengths = dot(p, p) * dot(q, q);
+                if (lengths > 0) visit(dot(p, q) / std::sqrt(lengths));
+            }
+        }
+    }
+}
+
+double degrees_from_90(double cosine) {
+    return std::asin(std::min(std::abs(cosine), 1.0)) * degrees;
+}
+
+/// Half the product of the diagonals, seen along the cell's normal.
+double surface_area(const CellNodes& n, bool planar) {
+    const Vec3 area = 0.5 * cross(n[3] - n[0], n[2] - n[1]);
+    return planar ? area.z : norm(area);
+}
+
+class Collector {
+public:
+    Collector(const Zone& zone, bool planar, int worst_count)
+        : zone_(zone),
+          planar_(planar),
+          worst_count_(static_cast<std::size_t>(worst_count)),
+          axes_(zone.points.extent().nk == 1 ? 2 : 3) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        statistics.quality.least_volume.value = infinity;
+        statistics.quality.greatest_volume.value = -infinity;
+        statistics.quality.least_jacobian.value = infinity;
+    }
+
+    void include(const Node& cell);
+    void include(const Collector& later);
+
+    CellStatistics statistics;
+
+private:
+    double include_corners(const Node& cell, const Vec3& centre, const CellCorners& corners);
+    double include_volume(const Node& cell, const Vec3& centre, const CellNodes& nodes,
+                          const CellCorners& corners);
+    double include_angles(const CellNodes& nodes);
+    void keep_worst(const WorstCell& cell);
+
+    const Zone& zone_;
+    bool planar_;
+    std::size_t worst_count_;
+    std::size_t axes_;
+};
+
+void keep_least(CellExtreme& kept, const CellExtreme& found) {
+    if (!(found.value >= kept.value)) kept = found;
+}
+void keep_greatest(CellExtreme& kept, const CellExtreme& found) {
+    if (!(found.value <= kept.value)) kept = found;
+}
+
+/// Returns the least scaled Jacobian of the cell.
+double Collector::include_corners(const Node& cell, const Vec3& centre,
+                                  const CellCorners& corners) {
+    double least_scaled = 1;
+    for (const CellCorner& corner : corners) {
+        if (corner.counted_apart()) continue;
+        keep_least(statistics.quality.least_jacobian, {corner.jacobian, cell, centre});
+        if (!(corner.scaled_jacobian >= least_scaled)) least_scaled = corner.scaled_jacobian;
+    }
+    statistics.scaled_jacobian.include(least_scaled);
+    return least_scaled;
+}
+
+/// Returns the volume of the cell.
+double Collector::include_volume(const Node& cell, const Vec3& centre, const CellNodes& nodes,
+                                 const CellCorners& corners) {
+    ZoneQuality& q = statistics.quality;
+    double volume = 0;
+    JacobianVerdict verdict = JacobianVerdict::positive;
+    if (axes_ == 3) {
+        const JacobianCoefficients coefficients = jacobian_coefficients(nodes);
+        FlatCorners flat{};
+        for (std::size_t c = 0; c < 8; ++c) flat[c] = corners.corners[c].counted_apart();
+        volume = cell_volume(coefficients);
+        verdict = judge_jacobian(coefficients, flat);
+    } else {
+        // The Jacobian of a bilinear map is linear along every side: its corners bound it.
+        volume = surface_area(nodes, planar_);
+        for (const CellCorner& corner : corners) {
+            if (corner.folds()) verdict = JacobianVerdict::not_positive;
+        }
+    }
+    q.volume += volume;
+    keep_least(q.least_volume, {volume, cell, centre});
+    keep_greatest(q.greatest_volume, {volume, cell, centre});
+    q.positive += verdict == JacobianVerdict::positive;
+    q.not_positive += verdict == JacobianVerdict::not_positive;
+    q.undecided += verdict == JacobianVerdict::undecided;
+    return volume;
+}
+
+/// Returns the skewness of the cell.
+double Collector::include_angles(const CellNodes& nodes) {
+    double greatest = 0;
+    visit_cosines(nodes, axes_, [&](double cosine) {
+        const double off = degrees_from_90(cosine);
+        statistics.deviation.include(off);
+        if (!(off <= greatest)) greatest = off;
+    });
+    return greatest / 90;
+}
+
+void Collector::keep_worst(const WorstCell& cell) {
+    auto& worst = statistics.worst;
+    if (worst.size() == worst_count_ &&
+        (worst.empty() || !(cell.scaled_jacobian < worst.back().scaled_jacobian))) {
+        return;
+    }
+    const auto at = std::upper_bound(worst.begin(), worst.end(), cell,
+                                     [](const WorstCell& a, const WorstCell& b) {
+                                         return a.scaled_jacobian < b.scaled_jacobian;
+                                     });
+    worst.insert(at, cell);
+    if (worst.size() > worst_count_) worst.pop_back();
+}
+
+void Collector::include(const Node& cell) {
+    const CellNodes nodes = nodes_of(zone_.points, cell);
+    const Vec3 centre = centre_of(nodes, axes_ == 3 ? 8 : 4);
+    const CellCorners corners = cell_corners(zone_.points, cell, planar_);
+    const double scaled = include_corners(cell, centre, corners);
+    const double volume = include_volume(cell, centre, nodes, corners);
+    const double skewness = include_angles(nodes);
+    statistics.skewness.include(skewness);
+    statistics.quality.mean_skewness += skewness;
+    keep_greatest(statistics.quality.greatest_skewness, {skewness, cell, centre});
+    const double aspect = aspect_ratio(nodes, axes_);
+    statistics.aspect_ratio.include(aspect);
+    keep_greatest(statistics.quality.greatest_aspect_ratio, {aspect, cell, centre});
+    keep_worst({zone_.name, cell, centre, scaled, volume, skewness});
+}
+
+void Collector::include(const Collector& later) {
+    ZoneQuality& q = statistics.quality;
+    const ZoneQuality& o = later.statistics.quality;
+    q.volume += o.volume;
+    keep_least(q.least_volume, o.least_volume);
+    keep_greatest(q.greatest_volume, o.greatest_volume);
+    keep_least(q.least_jacobian, o.least_jacobian);
+    q.positive += o.positive;
+    q.not_positive += o.not_positive;
+    q.undecided += o.undecided;
+    q.mean_skewness += o.mean_skewness;
+    keep_greatest(q.greatest_skewness, o.greatest_skewness);
+    keep_greatest(q.greatest_aspect_ratio, o.greatest_aspect_ratio);
+    statistics.scaled_jacobian.include(later.statistics.scaled_jacobian);
+    statistics.skewness.include(later.statistics.skewness);
+    statistics.aspect_ratio.include(later.statistics.aspect_ratio);
+    statistics.deviation.include(later.statistics.deviation);
+    for (const WorstCell& cell : later.statistics.worst) keep_worst(cell);
+}
+
+}  // namespace
+
+CellStatistics cell_statistics(const Zone& zone, bool planar, int worst_count) {
+    const Extent e = zone.points.extent();
+    // Rows of cells are parts of their own, put together in their order: sums do not depend on the
+    // number of threads.
+    const auto layers = static_cast<std::size_t>(e.nk == 1 ? e.nj - 1 : e.nk - 1);
+    std::vector<Collector> parts(layers, Collector(zone, planar, worst_count));
+    parallel_for(layers, [&](std::size_t layer) {
+        const int n = static_cast<int>(layer);
+        const int first_j = e.nk == 1 ? n : 0;
+        const int last_j = e.nk == 1 ? n : e.nj - 2;
+        for (int j = first_j; j <= last_j; ++j) {
+            for (int i = 0; i + 1 < e.ni; ++i) parts[layer].include({i, j, e.nk == 1 ? 0 : n});
+        }
+    });
+    Collector all(zone, planar, worst_count);
+    for (const Collector& part : parts) all.include(part);
+    all.statistics.quality.mean_skewness /=
+        static_cast<double>(std::max<std::size_t>(e.cells(), 1));
+    return all.statistics;
+}
+
+}  // namespace hexweave

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quality/grid_quality.h"
+
+#include <algorithm>
+
+#include "quality/cell_statistics.h"
+#include "quality/lines_across.h"
+#include "quality/measure.h"
+
+namespace hexweave {
+
+namespace {
+
+/// Of all growth ratios along the lines of a zone.
+void include_growth(const PointField& x, Histogram& histogram) {
+    const Extent e = x.extent();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Node step{};
+        step[axis] = 1;
+        for (int k = step[2]; k < e.nk - step[2]; ++k) {
+            for (int j = step[1]; j < e.nj - step[1]; ++j) {
+                for (int i = step[0]; i < e.ni - step[0]; ++i) {
+                    const Vec3 p = x(i, j, k);
+                    GrowthMeasure here;
+                    here.include(distance(x(i - step[0], j - step[1], k - step[2]), p),
+                                 distance(p, x(i + step[0], j + step[1], k + step[2])), p);
+                    histogram.include(here.ratio);
+                }
+            }
+        }
+    }
+}
+
+void merge(std::vector<Histogram>& all, const CellStatistics& cells) {
+    const std::array<const Histogram*, 4> own{&cells.scaled_jacobian, &cells.skewness,
+                                              &cells.aspect_ratio, &cells.deviation};
+    for (std::size_t n = 0; n < own.size(); ++n) all[n].include(*own[n]);
+}
+
+void keep_worst(std::vector<WorstCell>& worst, const std::vector<WorstCell>& found,
+                std::size_t count) {
+    worst.insert(worst.end(), found.begin(), found.end());
+    std::stable_sort(worst.begin(), worst.end(), [](const WorstCell& a, const WorstCell& b) {
+        return a.scaled_jacobian < b.scaled_jacobian;
+    });
+    worst.resize(std::min(worst.size(), count));
+}
+
+std::size_t sum_of(const std::vector<ZoneQuality>& zones, std::size_t ZoneQuality::*member) {
+    std::size_t sum = 0;
+    for (const ZoneQuality& zone : zones) sum += zone.*member;
+    return sum;
+}
+
+}  // namespace
+
+std::size_t GridQuality::cells() const {
+    std::size_t sum = 0;
+    for (const ZoneQuality& zone : zones) sum += zone.measure.cells;
+    return sum;
+}
+
+std::size_t GridQuality::folded() const {
+    std::size_t sum = 0;
+    for (const ZoneQuality& zone : zones) sum += zone.measure.folded;
+    return sum;
+}
+
+std::size_t GridQuality::not_positive() const {
+    return sum_of(zones, &ZoneQuality::not_positive);
+}
+
+std::size_t GridQuality::undecided() const {
+    return sum_of(zones, &ZoneQuality::undecided);
+}
+
+std::size_t GridQuality::mismatched() const {
+    std::size_t sum = 0;
+    for (const InterfaceQuality& interface : interfaces) sum += interface.measure.mismatched;
+    return sum;
+}
+
+bool GridQuality::sound() const {
+    return folded() == 0 && not_positive() == 0 && mismatched() == 0;
+}
+
+void name_sides_where_nothing_is_named(MultiblockGrid& grid) {
+    if (!grid.patches.empty()) return;
+    for (std::size_t z = 0; z < grid.zones.size(); ++z) {
+        const Extent e = grid.zones[z].points.extent();
+        for (const Side side : all_sides) {
+            const auto axis = static_cast<std::size_t>(side) / 2;
+            if (e[static_cast<int>(axis)] == 1) continue;
+            IndexBox box{{0, 0, 0}, {e.ni - 1, e.nj - 1, e.nk - 1}};
+            const bool at_maximum = static_cast<std::size_t>(side) % 2 == 1;
+            (at_maximum ? box.begin : box.end)[axis] = (at_maximum ? box.end : box.begin)[axis];
+            const std::string name = grid.zones[z].name + ":" + std::string(side_name(side));
+            grid.patches.push_back(
+                {name, static_cast<int>(z), box, static_cast<int>(grid.families.size())});
+            grid.families.push_back({name, ""});
+        }
+    }
+}
+
+GridQuality measure_quality(const MultiblockGrid& grid, int worst_count) {
+    GridQuality quality;
+    quality.title = grid.title;
+    quality.units = grid.units;
+    const bool planar = grid.physical_dimension == 2;
+    const CellStatistics empty;
+    quality.histograms = {empty.scaled_jacobian, empty.skewness, empty.aspect_ratio,
+                          empty.deviation, Histogram("growth", {1.1, 1.2, 1.3, 1.5, 2, 5})};
+    for (const Zone& zone : grid.zones) {
+        const CellStatistics cells = cell_statistics(zone, planar, worst_count);
+        merge(quality.histograms, cells);
+        include_growth(zone.points, quality.histograms.back());
+        keep_worst(quality.worst, cells.worst, static_cast<std::size_t>(worst_count));
+        quality.zones.push_back(cells.quality);
+        quality.zones.back().measure = measure_zone(zone, grid.physical_dimension);
+        quality.zones.back().bends = measure_bends(zone.points);
+    }
+    for (const Interface& interface : grid.interfaces) {
+        quality.interfaces.push_back(
+            {measure_interface(grid, interface), measure_bends(grid, interface)});
+    }
+    quality.boundaries = measure_boundaries(grid);
+    return quality;
+}
+
+}  // namespace hexweave

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gates in the input, and `hexweave quality`, as a user meets them.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/commands/program.h"
+
+using namespace hexweave::testing;
+using Catch::Contains;
+
+namespace {
+
+/// A parallelogram of 60 degrees whose cells grow by 1.5 along its floor.
+std::string slanted(const std::string& require, const std::string& require_of_face = "") {
+    return "hexweave: 1\n"
+           "vertices: {a: [0, 0], b: [1, 0], c: [1.5, 0.8660254], d: [0.5, 0.8660254]}\n"
+           "edges:\n"
+           "  floor: {from: a, to: b, cells: 6, spacing: {law: geometric, ratio: 1.5}}\n"
+           "  left: {from: a, to: d, cells: 5}\n"
+           "faces:\n"
+           "  f: {corners: [a, b, c, d], method: algebraic" +
+           (require_of_face.empty() ? "" : ", require: " + require_of_face) +
+           "}\n"
+           "boundaries:\n"
+           "  wall: {type: BCWall, sides: [floor, left, b-c, c-d]}\n" +
+           (require.empty() ? "" : "require: " + require + "\n");
+}
+
+}  // namespace
+
+TEST_CASE("a grid that passes its gates is sound, and the gates are told") {
+    const Scratch scratch;
+    scratch.write("slant.yaml", slanted("{max_growth: 1.51, min_angle: 59, max_angle: 121}",
+                                        "{min_scaled_jacobian: 0.85, max_skewness: 0.34}"));
+    const Finished run = scratch.hexweave("run slant.yaml --json out.json");
+    INFO(run.out << run.err);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.out, Contains("gate met: max_growth 1.5, at most 1.51 required"));
+    CHECK_THAT(run.out, Contains("gate met: face 'f': min_scaled_jacobian 0.866"));
+    const auto json = nlohmann::json::parse(scratch.read("out.json"));
+    REQUIRE(json["report"]["gates"].size() == 5);
+    for (const auto& gate : json["report"]["gates"]) CHECK(gate["met"] == true);
+}
+
+TEST_CASE("a missed gate is named with its place in the file and in the grid, and exits with 1") {
+    const Scratch scratch;
+    scratch.write("slant.yaml", slanted("{max_growth: 1.3}", "{max_wall_angle: 10}"));
+    const Finished run = scratch.hexweave("run slant.yaml");
+    INFO(run.out << run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(scratch.has("slant.cgns"));
+    CHECK_THAT(run.out + run.err,
+               Contains("gate missed (slant.yaml:10:23): max_growth 1.5, at most 1.3 required, in "
+                        "zone 'f' at ("));
+    CHECK_THAT(run.out + run.err, Contains("face 'f': max_wall_angle 30, at most 10 required"));
+}
+
+TEST_CASE("quality judges a grid of another's making and says so by its exit code") {
+    const Scratch scratch;
+    const std::string grid = HEXWEAVE_SOURCE_DIR "/tests/io/grids/n0012_113-33.p2d";
+    const Finished sound = scratch.hexweave("quality '" + grid + "' --json quality.json");
+    CHECK(sound.exit_code == 0);
+    CHECK_THAT(sound.out, Contains("Jacobian positive everywhere inside: 3584 of 3584 cells"));
+    CHECK_THAT(sound.out, Contains("sound: 1 zone, 3584 cells, none folded"));
+    CHECK(nlohmann::json::parse(scratch.read("quality.json"))["folded"] == 0);
+
+    // Two columns of cells, the second on the wrong side of the first.
+    scratch.write("folded.p2d", "1\n3 2\n0 2 1 0 2 1\n0 0 0 1 1 1\n");
+    const Finished folded = scratch.hexweave("quality folded.p2d");
+    INFO(folded.out << folded.err);
+    CHECK(folded.exit_code == 1);
+    CHECK_THAT(folded.out, Contains("NOT SOUND: 1 folded cells"));
+
+    scratch.write("text.cgns", "not a grid\n");
+    const Finished wrong = scratch.hexweave("quality text.cgns");
+    CHECK(wrong.exit_code == 2);
+    CHECK_THAT(wrong.err, Contains("text.cgns"));
+    CHECK(scratch.hexweave("quality nowhere.cgns").exit_code == 2);
+}
