@@ -50,7 +50,7 @@ TEST_CASE("a config may ask for several formats at once") {
     CHECK(outcome["outputs"] == nlohmann::json({"s.cgns", "s.xyz", "s.vtm", "foam"}));
 }
 
-TEST_CASE("-o tells formats by their endings and replaces what the config says") {
+TEST_CASE("the option -o tells formats by their endings and replaces what the config says") {
     const Scratch scratch;
     scratch.write("square.yaml", square + "output: {cgns: s.cgns}\n");
     const Finished run = scratch.hexweave("run square.yaml -o s.p3d -o case/case.foam");

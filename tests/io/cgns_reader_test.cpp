@@ -182,8 +182,9 @@ TEST_CASE("A CGNS file that holds no structured grid is refused") {
         int zone = 0;
         cg_zone_write(file, base, "huge", size, Structured, &zone);
     };
+    // Refused before anything is reserved for it.
     CHECK_THROWS_WITH(read_cgns(other_program(scratch, CG_FILE_HDF5, 3, huge)),
-                      Contains("zone 'huge' needs 1.54e+06 GB of memory"));
+                      EndsWith("zone 'huge' has no CoordinateX"));
 }
 
 TEST_CASE("Boundary conditions and interfaces that fit nothing are refused") {
