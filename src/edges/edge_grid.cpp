@@ -47,7 +47,7 @@ std::vector<double> own_fractions(const Edge& edge, const ArcLengthTable& table)
     return positions;
 }
 
-/// Moves a point onto the edge's symmetry planes, and onto z = 0 in a planar topology.
+/// Moves a point onto the edge's planes, and onto z = 0 in a planar topology.
 Vec3 on_planes(Vec3 point, const Edge& edge, bool planar) {
     for (const AxisPlane& plane : edge.planes) {
         (plane.axis == 0 ? point.x : plane.axis == 1 ? point.y : point.z) = plane.value;

@@ -17,7 +17,7 @@ struct EdgeGrid {
 };
 
 /// One grid per edge of the topology, in its order. End points are the vertices to the bit; points
-/// on symmetry planes, and z of a planar topology, are there exactly.
+/// on planes, and z of a planar topology, are there exactly.
 std::vector<EdgeGrid> make_edges(const Topology& topology);
 
 /// The arc lengths of the first and the last cell of an edge, measured on its curve between the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boundaries: which sides of the grid belong to which family, and which lie on a symmetry plane.
+// Boundaries: which sides of the grid belong to which family, and which lie on a plane.
 #pragma once
 
 #include "core/diagnostics.h"
@@ -20,8 +20,9 @@ inline constexpr const char* point_family = "pole_point";
 /// line to `pole_line` (BCDegenerateLine), to a point to `pole_point` (BCDegeneratePoint).
 void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostics);
 
-/// Checks that the sides of symmetry planes lie on them to 1e-9 of the grid's size, moves their
-/// vertices exactly there, and tells edges and faces of their planes.
-void resolve_symmetry_planes(Network& network, const Case& c, Diagnostics& diagnostics);
+/// Checks that the edges with a plane lie on it as near as their `gap` allows, and those of
+/// symmetry planes' sides to 1e-9 of the grid's size; moves their vertices exactly there, and tells
+/// edges and faces of their planes.
+void resolve_planes(Network& network, const Case& c, Diagnostics& diagnostics);
 
 }  // namespace hexweave

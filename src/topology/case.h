@@ -111,14 +111,21 @@ struct LikeLaw {
 };
 using SpacingEntry = std::variant<UniformLaw, TanhLaw, GeometricLaw, ExplicitLaw, LikeLaw>;
 
+/// A plane given as "x = 0", "y = expr" or "z = expr".
+struct AxisPlane {
+    int axis = 0;
+    double value = 0;
+};
+
 struct EdgeEntry {
     Name name;
     Name from;
     Name to;
-    std::optional<Name> along;             ///< a straight line where absent
-    std::vector<Name> surfaces{};          ///< that it is put onto
-    std::optional<double> gap{};           ///< how far its ends may be off them
-    std::optional<Located<Vec3>> through;  ///< picks the way on a closed curve
+    std::optional<Name> along;     ///< a straight line where absent
+    std::vector<Name> surfaces{};  ///< that it is put onto
+    std::optional<double> gap{};   ///< how far its ends may be off them, it off its plane
+    std::optional<Located<AxisPlane>> plane{};  ///< that it is put onto
+    std::optional<Located<Vec3>> through;       ///< picks the way on a closed curve
     std::optional<Located<int>> cells;
     std::optional<Located<SpacingEntry>> spacing;
     bool pole = false;  ///< collapsed to the vertex that is both `from` and `to`
@@ -176,12 +183,6 @@ struct BlockEntry {
     Name name;
     std::variant<std::array<BlockSideEntry, 6>, std::array<Name, 8>> shape;
     MethodEntry how;
-};
-
-/// A plane given as "x = 0", "y = expr" or "z = expr".
-struct AxisPlane {
-    int axis = 0;
-    double value = 0;
 };
 
 struct BoundaryEntry {

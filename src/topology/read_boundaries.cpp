@@ -42,29 +42,6 @@ std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// "z = 0": an axis and an expression.
-std::optional<AxisPlane> read_axis_plane(Reading& reading, const YamlNode& node) {
-    const std::size_t equals = node.is_scalar() ? node.text.find('=') : std::string::npos;
-    const std::string axis =
-        equals == std::string::npos ? "" : trimmed(node.text.substr(0, equals));
-    const std::size_t which = std::string("xyz").find(axis);
-    if (axis.size() != 1 || which == std::string::npos) {
-        reading.diagnostics.error(
-            node.place,
-            fmt::format("'plane' must be an axis and its value, not {}", describe(node)),
-            "write \"z = 0\", or x or y for z");
-        return std::nullopt;
-    }
-    const std::size_t begin = node.text.find_first_not_of(" \t", equals + 1);
-    YamlNode value = node;
-    value.text = begin == std::string::npos ? "" : node.text.substr(begin);
-    value.place = place_in(node, std::min(begin, node.text.size()), value.text.size());
-    if (node.text_column > 0) value.text_column = value.place.column;
-    const auto number = read_number(reading, value, "the value of 'plane'");
-    if (!number) return std::nullopt;
-    return AxisPlane{static_cast<int>(which), *number};
-}
-
 std::vector<Name> read_sides(Reading& reading, const YamlNode& node) {
     if (!node.is_sequence()) return {read_name(reading, node, "'sides'")};
     std::vector<Name> sides;
@@ -93,6 +70,28 @@ BoundaryEntry read_boundary(Reading& reading, const YamlNode& node) {
 }
 
 }  // namespace
+
+std::optional<AxisPlane> read_axis_plane(Reading& reading, const YamlNode& node) {
+    const std::size_t equals = node.is_scalar() ? node.text.find('=') : std::string::npos;
+    const std::string axis =
+        equals == std::string::npos ? "" : trimmed(node.text.substr(0, equals));
+    const std::size_t which = std::string("xyz").find(axis);
+    if (axis.size() != 1 || which == std::string::npos) {
+        reading.diagnostics.error(
+            node.place,
+            fmt::format("'plane' must be an axis and its value, not {}", describe(node)),
+            "write \"z = 0\", or x or y for z");
+        return std::nullopt;
+    }
+    const std::size_t begin = node.text.find_first_not_of(" \t", equals + 1);
+    YamlNode value = node;
+    value.text = begin == std::string::npos ? "" : node.text.substr(begin);
+    value.place = place_in(node, std::min(begin, node.text.size()), value.text.size());
+    if (node.text_column > 0) value.text_column = value.place.column;
+    const auto number = read_number(reading, value, "the value of 'plane'");
+    if (!number) return std::nullopt;
+    return AxisPlane{static_cast<int>(which), *number};
+}
 
 std::vector<BoundaryEntry> read_boundaries(Reading& reading, const YamlNode& section) {
     std::vector<BoundaryEntry> boundaries;

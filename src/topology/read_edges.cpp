@@ -114,7 +114,8 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
         read_pole(reading, node, what, edge);
         return edge;
     }
-    const Keys keys{"from", "to", "along", "surface", "gap", "through", "cells", "spacing"};
+    const Keys keys{"from",  "to",      "along", "surface", "gap",
+                    "plane", "through", "cells", "spacing"};
     if (!expect_mapping(reading, node, what, keys,
                         {{"at", "an edge is a pole 'at' a vertex, or goes 'from' one 'to' another",
                           "leave out 'at', or 'from' and 'to'"},
@@ -132,6 +133,10 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
         edge.surfaces = read_names(reading, *surface, "'surface'");
     }
     edge.gap = read_gap(reading, node, "edges");
+    if (const YamlNode* plane = find(reading, node, "plane")) {
+        const auto read = read_axis_plane(reading, *plane);
+        if (read) edge.plane = {*read, plane->place};
+    }
     if (const YamlNode* through = find(reading, node, "through")) {
         const auto point = read_point(reading, *through, "'through'");
         if (point) edge.through = {*point, through->place};

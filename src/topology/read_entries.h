@@ -22,9 +22,11 @@ std::vector<FaceEntry> read_faces(Reading& reading, const YamlNode& section);
 std::vector<BlockEntry> read_blocks(Reading& reading, const YamlNode& section);
 /// The value of `flat_edge_exponent` in a face, a block or the solver's section, where it is there.
 std::optional<double> read_flat_edge_exponent(Reading& reading, const YamlNode& mapping);
-/// How far the edges of a face, or the ends of an edge, may be off its surfaces, where it is
-/// stated.
+/// How far the edges of a face, or the ends of an edge, may be off its surfaces, or an edge off its
+/// plane, where it is stated.
 std::optional<double> read_gap(Reading& reading, const YamlNode& entry, const std::string& kind);
+/// "z = 0": an axis and an expression.
+std::optional<AxisPlane> read_axis_plane(Reading& reading, const YamlNode& node);
 std::vector<BoundaryEntry> read_boundaries(Reading& reading, const YamlNode& section);
 
 }  // namespace hexweave

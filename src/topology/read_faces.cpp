@@ -299,7 +299,9 @@ std::optional<double> read_gap(Reading& reading, const YamlNode& entry, const st
     const YamlNode* node = find(reading, entry, "gap");
     if (node == nullptr) return std::nullopt;
     const YamlNode* surface = find(reading, entry, "surface");
-    if (surface == nullptr || (surface->is_scalar() && surface->text == "minimal")) {
+    const bool on_surface =
+        surface != nullptr && !(surface->is_scalar() && surface->text == "minimal");
+    if (!on_surface && find(reading, entry, "plane") == nullptr) {
         reading.diagnostics.error(node->key_place, fmt::format("'gap' is for {} on surfaces", kind),
                                   "name the 'surface', or remove 'gap'");
     }

@@ -45,7 +45,7 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     resolve_counts(network, parallels, diagnostics);
     resolve_spacing(network, parallels, diagnostics);
     resolve_boundaries(network, c, diagnostics);
-    resolve_symmetry_planes(network, c, diagnostics);
+    resolve_planes(network, c, diagnostics);
     if (!diagnostics.has_errors() && check_zone_sizes(network.topology, diagnostics)) {
         check_memory(network.topology, threads(), available_memory(), diagnostics);
     }

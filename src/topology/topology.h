@@ -61,15 +61,16 @@ struct Edge {
     SpacingLaw law;
     std::optional<double> asked_start;  ///< first cell asked by this edge's own law
     std::optional<double> asked_end;
-    std::vector<AxisPlane> planes;  ///< symmetry planes it lies on: its points are exactly there
+    std::vector<AxisPlane> planes;  ///< that it lies on: its points are exactly there
     bool made = false;              ///< not drawn by the user: a straight edge between two corners
     bool pole = false;              ///< collapsed to one vertex: no length, all its points there
 };
 
-/// A vertex or an edge that was put onto a surface, and how far it was moved for that at most.
+/// A vertex or an edge that was put onto a surface or a plane, and how far it was moved for that at
+/// most.
 struct PutOnSurface {
     std::string what;      ///< "vertex 'a'"
-    std::string surfaces;  ///< "surface 'wing'"
+    std::string surfaces;  ///< "surface 'wing'", "plane z = 0"
     double distance = 0;
     Vec3 place;  ///< before
 };

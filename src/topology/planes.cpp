@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/curve.h"
 #include "topology/boundaries.h"
 #include "topology/sample.h"
 #include "topology/text.h"
@@ -29,17 +30,28 @@ Vec3& position(Topology& topology, int vertex) {
     return topology.vertices[static_cast<std::size_t>(vertex)].position;
 }
 
-/// The greatest distance of an edge's vertices and sampled points from a plane.
-double distance_off(Topology& topology, const Edge& edge, const AxisPlane& plane) {
-    constexpr int intervals = 32;
+struct OffPlane {
+    double distance = -1;
+    Vec3 place;
+};
+
+/// How far an edge's vertices and curve are off a plane, and where it is farthest.
+OffPlane off_plane(Topology& topology, const Edge& edge, const AxisPlane& plane) {
+    constexpr int intervals = 64;
     std::vector<Vec3> points = sample_edge(edge, intervals);
     points.push_back(position(topology, edge.start));
     points.push_back(position(topology, edge.end));
-    double greatest = 0;
-    for (Vec3& p : points) {
-        greatest = std::max(greatest, std::abs(coordinate(p, plane.axis) - plane.value));
+    // Knots, which crowd where a curve that was put onto surfaces bends.
+    const auto [low, high] = std::minmax(edge.from, edge.to);
+    for (const double joint : joints_between(*edge.curve, low, high)) {
+        points.push_back(evaluate(*edge.curve, joint));
     }
-    return greatest;
+    OffPlane farthest;
+    for (Vec3& p : points) {
+        const double off = std::abs(coordinate(p, plane.axis) - plane.value);
+        if (off > farthest.distance) farthest = {off, p};
+    }
+    return farthest;
 }
 
 std::set<int> edges_of_side(const Network& network, int side) {
@@ -57,14 +69,42 @@ bool has_plane(const Edge& edge, const AxisPlane& plane) {
     });
 }
 
-/// Moves an edge exactly onto its plane, or reports how far off it is.
+constexpr double near_plane = 1e-9;  // of the grid's size
+
+void move_onto(Network& network, Edge& edge, const AxisPlane& plane) {
+    for (const int vertex : {edge.start, edge.end}) {
+        coordinate(position(network.topology, vertex), plane.axis) = plane.value;
+    }
+    edge.planes.push_back(plane);
+}
+
+/// Moves an edge exactly onto the plane of its entry, or reports how far off it is.
+void settle_own(Network& network, Edge& edge, const EdgeEntry& entry, Diagnostics& diagnostics) {
+    const AxisPlane& plane = entry.plane->value;
+    const OffPlane off = off_plane(network.topology, edge, plane);
+    if (off.distance > entry.gap.value_or(near_plane * network.topology.size)) {
+        diagnostics.error(
+            entry.plane->place,
+            fmt::format("edge {} is not on the plane {}: it is {} away at {}", quoted(edge.name),
+                        plane_text(plane), number_text(off.distance), point_text(off.place)),
+            entry.gap ? "it may be as far as 'gap' says"
+                      : "it may be 1e-9 of the size of the grid away, or as far as "
+                        "'gap' allows");
+        return;
+    }
+    move_onto(network, edge, plane);
+    network.topology.put_on_surface.push_back({fmt::format("edge {}", quoted(edge.name)),
+                                               fmt::format("plane {}", plane_text(plane)),
+                                               off.distance, off.place});
+}
+
+/// Moves an edge of a side exactly onto the side's plane, or reports how far off it is.
 bool settle(Network& network, Edge& edge, const AxisPlane& plane, const Place& place,
             Diagnostics& diagnostics) {
-    constexpr double tolerance = 1e-9;  // of the grid's size
     if (has_plane(edge, plane)) return true;
     Topology& topology = network.topology;
-    const double off = distance_off(topology, edge, plane);
-    if (off > tolerance * topology.size) {
+    const double off = off_plane(topology, edge, plane).distance;
+    if (off > near_plane * topology.size) {
         diagnostics.error(place,
                           fmt::format("edge {} is {} off the symmetry plane {}", quoted(edge.name),
                                       number_text(off), plane_text(plane)),
@@ -72,10 +112,7 @@ bool settle(Network& network, Edge& edge, const AxisPlane& plane, const Place& p
                           "the grid");
         return false;
     }
-    for (const int vertex : {edge.start, edge.end}) {
-        coordinate(position(topology, vertex), plane.axis) = plane.value;
-    }
-    edge.planes.push_back(plane);
+    move_onto(network, edge, plane);
     return true;
 }
 
@@ -83,7 +120,7 @@ bool settle(Network& network, Edge& edge, const AxisPlane& plane, const Place& p
 void straighten(Network& network) {
     for (std::size_t e = 0; e < network.topology.edges.size(); ++e) {
         const EdgeEntry* entry = network.edge_entries[e];
-        if (entry != nullptr && entry->along) continue;
+        if (entry != nullptr && (entry->along || !entry->surfaces.empty())) continue;
         Edge& edge = network.topology.edges[e];
         make_straight(edge, position(network.topology, edge.start),
                       position(network.topology, edge.end));
@@ -92,8 +129,14 @@ void straighten(Network& network) {
 
 }  // namespace
 
-void resolve_symmetry_planes(Network& network, const Case& c, Diagnostics& diagnostics) {
+void resolve_planes(Network& network, const Case& c, Diagnostics& diagnostics) {
     bool moved = false;
+    for (std::size_t e = 0; e < network.topology.edges.size(); ++e) {
+        const EdgeEntry* entry = network.edge_entries[e];
+        if (entry == nullptr || !entry->plane) continue;
+        settle_own(network, network.topology.edges[e], *entry, diagnostics);
+        moved = true;
+    }
     for (const BoundaryEntry& entry : c.boundaries) {
         if (!entry.plane) continue;
         const NameTable& names =
