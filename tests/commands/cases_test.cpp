@@ -59,8 +59,11 @@ const std::vector<ShippedCase> shipped_cases{
      "--zones inner_up=49x21x1 inner_low=49x21x1 outer_up=49x29x1 outer_low=49x29x1 cap_up=49x13x1 "
      "cap_low=49x13x1 --families root pole_point"},
 #if HEXWEAVE_HAS_CAD
-    {"onera_m6_cad", "--set chordwise=32 --set spanwise=12 --set cap_cells=12", 4, 1536,
-     "--zones wing_up=13x33x1 cap_up=13x33x1 wing_low=13x33x1 cap_low=13x33x1 --families symmetry"},
+    {"onera_m6_cad",
+     "--set chordwise=24 --set spanwise=12 --set cap_cells=8 --set wake_cells=20 --set normal=24",
+     4, 42240,
+     "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
+     "--families wing symmetry farfield outflow"},
 #endif
     {"unit_square", "", 4, 6400,
      "--zones mild=41x41x1 strong=41x41x1 first_mild=41x41x1 first_strong=41x41x1 --families rim"},
