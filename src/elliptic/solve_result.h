@@ -58,9 +58,9 @@ struct Orthogonality {
 struct SolveResult {
     SolveStatus status = SolveStatus::algebraic;
     int cycles = 0;
-    double tolerance = 0;         ///< asked, in cells
-    double displacement = 0;      ///< of the last cycle, in cells
-    double rate = 0;              ///< by which the displacement fell in each of the last cycles
+    double tolerance = 0;     ///< asked, in cells
+    double displacement = 0;  ///< of the last cycle, in cells
+    double rate = 0;          ///< by which the displacement fell in each of the last cycles
     /// Displacement of every cycle, in cells; on a surface, of every pass of several cycles.
     std::vector<double> history;
     std::vector<Safeguard> safeguards;  ///< those entered, in order

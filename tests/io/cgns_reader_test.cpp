@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/errors.h"
-#include "io/cgns.h"
 #include "core/interface_sides.h"
+#include "io/cgns.h"
 #include "io/cgns_samples.h"
 #include "io/scratch.h"
 
