@@ -16,7 +16,6 @@
 #include "io/grid_file.h"
 #include "io/output_files.h"
 #include "io/report_text.h"
-#include "topology/read_output.h"
 
 namespace hexweave {
 namespace {
@@ -29,11 +28,9 @@ struct RunOptions {
 };
 
 /// Where the grid goes: -o, else the file's `output`, else the config's stem.
-std::vector<GridOutput> outputs_of(const RunOptions& options,
-                                   const std::shared_ptr<const SourceFile>& source) {
+std::vector<GridOutput> outputs_of(const RunOptions& options, const Topology& topology) {
+    if (options.outputs.empty() && !topology.outputs.empty()) return topology.outputs;
     std::vector<GridOutput> outputs;
-    if (options.outputs.empty()) outputs = outputs_of_case(source);
-    if (!outputs.empty()) return outputs;
     if (options.outputs.empty() && options.input.config == "-") {
         throw UsageError("a config from standard input needs -o FILE or `output: {cgns: FILE}`");
     }
@@ -59,7 +56,7 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     // The output is staged before the work: a folder that cannot be written is told at once.
     OutputFiles files;
     std::vector<ReservedOutput> reserved;
-    for (const GridOutput& output : outputs_of(options, source)) {
+    for (const GridOutput& output : outputs_of(options, topology)) {
         reserved.push_back(reserve(output, files));
     }
     const Generated made = generate(topology, make_progress(options.input.quiet));

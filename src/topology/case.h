@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/diagnostics.h"
+#include "core/grid_output.h"
 #include "core/orientation.h"
 #include "core/vec3.h"
 #include "geometry/curve.h"
@@ -213,7 +214,7 @@ struct Case {
     std::vector<BoundaryEntry> boundaries;
     SolverEntry solver;
     std::vector<Gate> gates;
-    std::optional<Name> cgns_output;
+    std::vector<GridOutput> outputs;
     std::string provenance;  ///< version, hash of the config, overrides
 };
 

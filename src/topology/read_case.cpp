@@ -115,13 +115,6 @@ void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
     solver.flat_edge_exponent = read_flat_edge_exponent(reading, *node);
 }
 
-std::optional<Name> read_cgns_output(Reading& reading, const YamlNode* section) {
-    for (const GridOutput& output : read_output(reading, section)) {
-        if (output.format == GridFormat::cgns) return Name{output.path, section->place};
-    }
-    return std::nullopt;
-}
-
 template <class Entry>
 void read_into(std::vector<Entry>& entries, Reading& reading, const YamlNode& root,
                std::string_view key, std::vector<Entry> (*read)(Reading&, const YamlNode&)) {
@@ -160,7 +153,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.blocks, reading, *root, "blocks", read_blocks);
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
     read_solver(reading, *root, c.solver);
-    c.cgns_output = read_cgns_output(reading, section_of(reading, *root, "output"));
+    c.outputs = read_output(reading, section_of(reading, *root, "output"));
     c.gates = read_gates(reading, *root);
     if (!diagnostics.has_errors()) warn_unused_parameters(reading, c.parameters);
     return c;

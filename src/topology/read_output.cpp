@@ -77,12 +77,4 @@ std::vector<GridOutput> read_output(Reading& reading, const YamlNode* section) {
     return outputs;
 }
 
-std::vector<GridOutput> outputs_of_case(const std::shared_ptr<const SourceFile>& source) {
-    Diagnostics diagnostics;
-    const std::optional<YamlNode> root = read_yaml(source, diagnostics);
-    Reading reading{diagnostics, source};
-    const YamlNode* section = root ? find(reading, *root, "output") : nullptr;
-    return read_output(reading, section != nullptr && section->is_mapping() ? section : nullptr);
-}
-
 }  // namespace hexweave

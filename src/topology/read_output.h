@@ -2,7 +2,6 @@
 // The section `output`: which files the grid goes to.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/grid_output.h"
@@ -13,8 +12,5 @@ namespace hexweave {
 /// A FILE (of OpenFOAM a folder) under the key of its format; of Plot3D also a mapping of `file`,
 /// `form` and `byte_order`. A null section means none.
 std::vector<GridOutput> read_output(Reading& reading, const YamlNode* section);
-
-/// The outputs that a case without errors asks for.
-std::vector<GridOutput> outputs_of_case(const std::shared_ptr<const SourceFile>& source);
 
 }  // namespace hexweave

@@ -57,7 +57,7 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     topology.units = c.units;
     topology.provenance = c.provenance;
     topology.gates = c.gates;
-    if (c.cgns_output) topology.cgns_output = c.cgns_output->value;
+    topology.outputs = c.outputs;
     return topology;
 }
 

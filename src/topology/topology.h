@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "core/diagnostics.h"
+#include "core/grid_output.h"
 #include "core/multiblock.h"
 #include "core/orientation.h"
 #include "core/vec3.h"
@@ -170,9 +171,9 @@ struct Topology {
     std::vector<Block> blocks;
     std::vector<Boundary> boundaries;  ///< covers every free side; `unassigned` added where needed
     std::vector<PutOnSurface> put_on_surface;
-    std::vector<Gate> gates;  ///< on the whole grid
-    std::string cgns_output;  ///< as written in the file; empty when it names none
-    bool planar = true;       ///< no blocks and every point in z = 0
+    std::vector<Gate> gates;          ///< on the whole grid
+    std::vector<GridOutput> outputs;  ///< as the file names them
+    bool planar = true;               ///< no blocks and every point in z = 0
     /// The greatest distance between vertices or sampled edge points: the scale of tolerances.
     double size = 1;
 

@@ -93,7 +93,8 @@ TEST_CASE("a whole case is read") {
     CHECK(c.boundaries[1].sides[1].value == "out_low");
     CHECK(c.solver.tolerance == 1e-4);
     CHECK(c.solver.start_folded);
-    CHECK(c.cgns_output->value == "naca0012.cgns");
+    REQUIRE(c.outputs.size() == 1);
+    CHECK(c.outputs[0].path == "naca0012.cgns");
 }
 
 TEST_CASE("blocks by corners, laws and symmetry planes are read") {
@@ -111,7 +112,7 @@ TEST_CASE("blocks by corners, laws and symmetry planes are read") {
     CHECK(c.boundaries[0].plane->value.axis == 2);
     CHECK(c.boundaries[0].plane->value.value == 0);
     CHECK(c.boundaries[1].sides[0].value == "v4-v5-v6-v7");
-    CHECK_FALSE(c.cgns_output);
+    CHECK(c.outputs.empty());
 }
 
 TEST_CASE("every family of curves and every transform is read") {
