@@ -57,6 +57,14 @@ ExitCode guarded(const std::function<ExitCode()>& body, std::string& failure) {
     }
 }
 
+void add_threads_option(CLI::App& command, int& threads) {
+    command
+        .add_option("-j,--threads", threads,
+                    "threads (default: OMP_NUM_THREADS, else all that this process may use)")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
+}
+
 void write_json_text(const std::string& text, const std::string& path) {
     if (path == "-") {
         std::fputs(text.c_str(), stdout);
@@ -84,11 +92,7 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
     command
         .add_option("--json", options.json, "write the outcome as JSON to this file; - prints it")
         ->type_name("FILE");
-    command
-        .add_option("-j,--threads", options.threads,
-                    "threads (default: OMP_NUM_THREADS, else all that this process may use)")
-        ->check(CLI::PositiveNumber)
-        ->type_name("N");
+    add_threads_option(command, options.threads);
     command.add_flag("--strict", options.strict, "treat warnings as errors");
     CLI::Option* verbose =
         command.add_flag("--verbose", options.verbose, "print every solver step");

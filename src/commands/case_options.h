@@ -32,6 +32,9 @@ void add_case_options(CLI::App& command, CaseOptions& options);
 /// The config's text. Throws UsageError when it cannot be read.
 std::shared_ptr<const SourceFile> read_source(const std::string& config);
 
+/// -j, --threads: 0 where it is not given, for choose_threads.
+void add_threads_option(CLI::App& command, int& threads);
+
 /// Writes a text that is JSON to a file; "-" prints it.
 void write_json_text(const std::string& text, const std::string& path);
 

@@ -94,11 +94,7 @@ void add_compare(CLI::App& app, ChosenCommand& chosen) {
         ->add_option("--json", options->json,
                      "write the comparison as JSON to this file; - prints it")
         ->type_name("FILE");
-    command
-        ->add_option("-j,--threads", options->threads,
-                     "threads (default: OMP_NUM_THREADS, else all that this process may use)")
-        ->check(CLI::PositiveNumber)
-        ->type_name("N");
+    add_threads_option(*command, options->threads);
     command->add_flag("--quiet", options->quiet, "print the verdict only");
     command->callback(
         [options, &chosen] { chosen = [options] { return compare_and_record(*options); }; });

@@ -47,7 +47,7 @@ void add_quality(CLI::App& app, ChosenCommand& chosen) {
     command->add_option("--worst", arguments->worst, "how many of the worst cells to list")
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
-    command->add_option("-j,--threads", arguments->threads, "threads")->check(CLI::PositiveNumber);
+    add_threads_option(*command, arguments->threads);
     command->footer(
         "\nExit codes: 0 sound; 1 a cell is folded, or an interface differs on its two sides; 2 "
         "the\nfile or the command line is wrong; 3 the machine failed.");

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "core/fortran_number.h"
 
 namespace hexweave {
 
@@ -18,14 +19,8 @@ constexpr std::string_view blanks = " \t\r\n,";
 constexpr int most_points = 10'000'000;
 
 std::optional<double> number_of(std::string_view word) {
-    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-    std::string text(word);
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
-    double value = 0;
-    const char* const last = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), last, value);
-    return error == std::errc() && stop == last ? std::optional(value) : std::nullopt;
+    const auto number = fortran_number(word);
+    return number && !number->out_of_range ? std::optional(number->value) : std::nullopt;
 }
 
 int words_of_line(std::string_view text) {

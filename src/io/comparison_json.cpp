@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/comparison_json.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
+
+#include "io/json_values.h"
 
 namespace hexweave {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json deviation(const Deviation& d) {
-    return {{"size", number(d.size)},
-            {"node", {d.node[0] + 1, d.node[1] + 1, d.node[2] + 1}},
-            {"place", {number(d.place.x), number(d.place.y), number(d.place.z)}}};
+    return {{"size", json_of(d.size)}, {"node", json_of(d.node)}, {"place", json_of(d.place)}};
 }
 
 Json points(const ZoneDeviation& d) {
@@ -31,7 +23,7 @@ Json points(const ZoneDeviation& d) {
 Json zone(const ZoneComparison& z) {
     Json json{{"name", z.name},
               {"golden", z.golden_name},
-              {"nodes", {z.extent.ni, z.extent.nj, z.extent.nk}},
+              {"nodes", json_of(z.extent)},
               {"axes", z.to_golden.axes}};
     json.update(points(z.deviation));
     return json;
@@ -53,8 +45,8 @@ Json comparison_json(const GridComparison& c) {
         differences.push_back({{"kind", d.kind}, {"text", d.text}});
     }
     Json json{{"same", c.same()},
-              {"tolerance", number(c.tolerance)},
-              {"floor", number(c.floor)},
+              {"tolerance", json_of(c.tolerance)},
+              {"floor", json_of(c.floor)},
               {"units", c.units}};
     json.update(points(c.all()));
     json["zones"] = zones;

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
-
 #include "io/geometry_text.h"
+#include "io/json_values.h"
 
 namespace hexweave {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json point(const Vec3& p) {
-    return {p.x, p.y, p.z};
-}
-
 Json box(const CadBox& b) {
-    return {{"low", point(b.low)}, {"high", point(b.high)}};
+    return {{"low", json_of(b.low)}, {"high", json_of(b.high)}};
 }
 
 Json curve(const CadCurve& c) {
@@ -23,8 +16,8 @@ Json curve(const CadCurve& c) {
     json["degree"] = c.polygon.degree;
     json["points"] = c.polygon.control.size();
     json["range"] = {shape.begin, shape.end};
-    json["start"] = point(evaluate(shape, shape.begin));
-    json["end"] = point(evaluate(shape, shape.end));
+    json["start"] = json_of(evaluate(shape, shape.begin));
+    json["end"] = json_of(evaluate(shape, shape.end));
     return json;
 }
 

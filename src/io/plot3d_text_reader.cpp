@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/fortran_number.h"
 #include "core/memory.h"
 #include "io/plot3d_source.h"
 
@@ -20,25 +21,6 @@ bool separates(char c) {
     return c == ' ' || c == '\n' || c == ',' || c == '\t' || c == '\r';
 }
 
-/// A number as C or as Fortran writes it (1.5D+01, +2); nothing when it is none.
-std::optional<double> number(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    std::string with_e;
-    if (text.find_first_of("dD") != std::string_view::npos) {
-        with_e = text;
-        std::replace_if(
-            with_e.begin(), with_e.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
-        text = with_e;
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (end != text.data() + text.size() || text.empty()) return std::nullopt;
-    // Beyond what a double holds: zero or infinity, as a Fortran program would read it.
-    if (error == std::errc::result_out_of_range) return std::strtod(std::string(text).c_str(), {});
-    if (error != std::errc{}) return std::nullopt;
-    return value;
-}
-
 /// Adds what one word says: 1.5, or 3*1.5 for three of them; false when it says no number.
 bool add_word(std::string_view word, std::size_t most, std::vector<double>& numbers) {
     std::size_t repeats = 1;
@@ -47,9 +29,10 @@ bool add_word(std::string_view word, std::size_t most, std::vector<double>& numb
         if (error != std::errc{} || end != word.data() + star) return false;
         word.remove_prefix(star + 1);
     }
-    const auto value = number(word);
-    if (!value || repeats > most - std::min(most, numbers.size())) return false;
-    numbers.insert(numbers.end(), repeats, *value);
+    // Beyond what a double holds: zero or infinity, as a Fortran program would read it.
+    const auto number = fortran_number(word);
+    if (!number || repeats > most - std::min(most, numbers.size())) return false;
+    numbers.insert(numbers.end(), repeats, number->value);
     return true;
 }
 

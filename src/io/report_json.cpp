@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/report_json.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "io/json_values.h"
 
 namespace hexweave {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-Json number(const std::optional<double>& value) {
-    return value ? number(*value) : Json(nullptr);
-}
-Json point(const Vec3& p) {
-    return {number(p.x), number(p.y), number(p.z)};
-}
-Json extent(const Extent& e) {
-    return {e.ni, e.nj, e.nk};
-}
 
 Json place(const Place& p) {
     return {{"file", p.file ? p.file->name : ""}, {"line", p.line}, {"column", p.column}};
@@ -49,58 +33,51 @@ Json orthogonality(const Orthogonality& o) {
             {"end", orthogonality_end_name(o.end)}};
 }
 
-template <class T, class Convert>
-Json list(const std::vector<T>& items, Convert convert) {
-    Json array = Json::array();
-    for (const T& item : items) array.push_back(convert(item));
-    return array;
-}
-
 Json held_heights(const HeightMeasure& h) {
     return {{"side", side_name(h.side)},
-            {"asked", {number(h.least_asked), number(h.greatest_asked)}},
-            {"least", number(h.least)},
-            {"median", number(h.median)},
-            {"greatest", number(h.greatest)}};
+            {"asked", {json_of(h.least_asked), json_of(h.greatest_asked)}},
+            {"least", json_of(h.least)},
+            {"median", json_of(h.median)},
+            {"greatest", json_of(h.greatest)}};
 }
 
 Json untangling(const Untangling& u) {
     return {{"folded_before", u.folded_before},
             {"points_moved", u.points_moved},
-            {"largest_move", number(u.largest_move)},
-            {"place", point(u.place)},
+            {"largest_move", json_of(u.largest_move)},
+            {"place", json_of(u.place)},
             {"patches", u.patches},
             {"rounds", u.rounds},
             {"whole_grid", u.whole_grid},
-            {"left_at", u.left_at ? point(*u.left_at) : Json(nullptr)}};
+            {"left_at", json_of(u.left_at)}};
 }
 
 Json gate(const GateResult& g) {
     return {{"gate", gate_name(g.measure)},
             {"subject", g.subject},
-            {"limit", number(g.limit)},
-            {"got", number(g.got)},
+            {"limit", json_of(g.limit)},
+            {"got", json_of(g.got)},
             {"met", g.met},
             {"where", g.where},
-            {"place", g.place ? point(*g.place) : Json(nullptr)},
+            {"place", json_of(g.place)},
             {"asked_at", place(g.asked_at)}};
 }
 
 Json solve(const SolveMeasure& s) {
     Json history = Json::array();
-    for (const double step : s.result.history) history.push_back(number(step));
+    for (const double step : s.result.history) history.push_back(json_of(step));
     Json safeguards = Json::array();
     for (const Safeguard safeguard : s.result.safeguards) {
         safeguards.push_back(safeguard_name(safeguard));
     }
     return {{"name", s.name},
             {"kind", s.is_block ? "block" : "face"},
-            {"nodes", extent(s.extent)},
+            {"nodes", json_of(s.extent)},
             {"status", status_name(s.result.status)},
             {"cycles", s.result.cycles},
-            {"tolerance", number(s.result.tolerance)},
-            {"displacement", number(s.result.displacement)},
-            {"rate", number(s.result.rate)},
+            {"tolerance", json_of(s.result.tolerance)},
+            {"displacement", json_of(s.result.displacement)},
+            {"rate", json_of(s.result.rate)},
             {"history", history},
             {"safeguards", safeguards},
             {"folded_before", s.result.folded_before},
@@ -109,58 +86,21 @@ Json solve(const SolveMeasure& s) {
             {"flat_at", s.flat_at},
             {"orthogonality",
              s.result.orthogonality ? orthogonality(*s.result.orthogonality) : Json(nullptr)},
-            {"heights", list(s.heights, held_heights)},
-            {"off_surface", s.off_surface ? Json{{"distance", number(s.off_surface->distance)},
-                                                 {"place", point(s.off_surface->place)},
-                                                 {"size", number(s.off_surface->size)}}
+            {"heights", json_list(s.heights, held_heights)},
+            {"off_surface", s.off_surface ? Json{{"distance", json_of(s.off_surface->distance)},
+                                                 {"place", json_of(s.off_surface->place)},
+                                                 {"size", json_of(s.off_surface->size)}}
                                           : Json(nullptr)}};
-}
-
-Json angles(const AngleMeasure& a) {
-    return {{"corners", a.corners},           {"least", number(a.least)},
-            {"greatest", number(a.greatest)}, {"worst_place", point(a.worst_place)},
-            {"within_5", a.within_5},         {"within_10", a.within_10}};
-}
-
-Json growth(const GrowthMeasure& g) {
-    return {{"ratio", number(g.ratio)}, {"place", point(g.place)}};
-}
-
-Json wall(const WallMeasure& w) {
-    return {{"family", w.family},
-            {"nodes", w.nodes},
-            {"mean_angle", number(w.mean_angle)},
-            {"greatest_angle", number(w.greatest_angle)},
-            {"worst_place", point(w.worst_place)},
-            {"greatest_angle_beside_ends", number(w.greatest_angle_beside_ends)},
-            {"least_height", number(w.least_height)},
-            {"median_height", number(w.median_height)},
-            {"greatest_height", number(w.greatest_height)}};
-}
-
-Json zone(const ZoneMeasure& z) {
-    return {{"name", z.name},
-            {"nodes", extent(z.extent)},
-            {"cells", z.cells},
-            {"folded", z.folded},
-            {"flat_corners", z.flat_corners},
-            {"pole_corners", z.pole_corners},
-            {"worst_scaled_jacobian", number(z.worst_scaled_jacobian)},
-            {"worst_inside", number(z.worst_inside)},
-            {"worst_cell", {z.worst_cell[0] + 1, z.worst_cell[1] + 1, z.worst_cell[2] + 1}},
-            {"worst_place", point(z.worst_place)},
-            {"angles", angles(z.angles)},
-            {"growth", {growth(z.growth[0]), growth(z.growth[1]), growth(z.growth[2])}}};
 }
 
 Json spacing(const SpacingMeasure& s) {
     return {{"edge", s.edge},
             {"cells", s.cells},
-            {"length", number(s.length)},
-            {"first_asked", number(s.asked_start)},
-            {"first_got", number(s.got_start)},
-            {"last_asked", number(s.asked_end)},
-            {"last_got", number(s.got_end)}};
+            {"length", json_of(s.length)},
+            {"first_asked", json_of(s.asked_start)},
+            {"first_got", json_of(s.got_start)},
+            {"last_asked", json_of(s.asked_end)},
+            {"last_got", json_of(s.got_end)}};
 }
 
 Json report_json(const Report& r) {
@@ -169,39 +109,41 @@ Json report_json(const Report& r) {
             {"cells", r.cells},
             {"nodes", r.nodes},
             {"folded", r.folded()},
-            {"worst_scaled_jacobian", number(r.worst_scaled_jacobian())},
-            {"angles", angles(r.angles())},
-            {"zones", list(r.zones, zone)},
-            {"interfaces", list(r.interfaces,
-                                [](const InterfaceMeasure& i) {
-                                    return Json{{"name", i.name},
-                                                {"mismatched", i.mismatched},
-                                                {"growth", growth(i.growth)}};
-                                })},
-            {"walls", list(r.walls, wall)},
-            {"spacings", list(r.spacings, spacing)},
-            {"solves", list(r.solves, solve)},
-            {"put_on_surface", list(r.put_on_surface,
-                                    [](const PutMeasure& p) {
-                                        return Json{{"what", p.what},
-                                                    {"surfaces", p.surfaces},
-                                                    {"distance", number(p.distance)},
-                                                    {"place", point(p.place)}};
-                                    })},
-            {"gates", list(r.gates, gate)},
-            {"seconds", list(r.stages, [](const StageTime& s) {
-                 return Json{{"stage", s.stage}, {"seconds", number(s.seconds)}};
+            {"worst_scaled_jacobian", json_of(r.worst_scaled_jacobian())},
+            {"angles", json_of(r.angles())},
+            {"zones", json_list(r.zones, [](const ZoneMeasure& z) { return json_of(z); })},
+            {"interfaces", json_list(r.interfaces,
+                                     [](const InterfaceMeasure& i) {
+                                         return Json{{"name", i.name},
+                                                     {"mismatched", i.mismatched},
+                                                     {"growth", json_of(i.growth)}};
+                                     })},
+            {"walls", json_list(r.walls, [](const WallMeasure& w) { return json_of(w); })},
+            {"spacings", json_list(r.spacings, spacing)},
+            {"solves", json_list(r.solves, solve)},
+            {"put_on_surface", json_list(r.put_on_surface,
+                                         [](const PutMeasure& p) {
+                                             return Json{{"what", p.what},
+                                                         {"surfaces", p.surfaces},
+                                                         {"distance", json_of(p.distance)},
+                                                         {"place", json_of(p.place)}};
+                                         })},
+            {"gates", json_list(r.gates, gate)},
+            {"seconds", json_list(r.stages, [](const StageTime& s) {
+                 return Json{{"stage", s.stage}, {"seconds", json_of(s.seconds)}};
              })}};
 }
 
 }  // namespace
 
 std::string to_json(const Outcome& outcome) {
-    Json json{
-        {"hexweave_json", 1},         {"command", outcome.command},
-        {"config", outcome.config},   {"exit_code", outcome.exit_code},
-        {"outputs", outcome.outputs}, {"diagnostics", list(outcome.diagnostics.all(), diagnostic)},
-        {"failure", outcome.failure}};
+    Json json{{"hexweave_json", 1},
+              {"command", outcome.command},
+              {"config", outcome.config},
+              {"exit_code", outcome.exit_code},
+              {"outputs", outcome.outputs},
+              {"diagnostics", json_list(outcome.diagnostics.all(), diagnostic)},
+              {"failure", outcome.failure}};
     json["report"] = outcome.report ? report_json(*outcome.report) : Json(nullptr);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -83,21 +83,21 @@ void include_spacing_errors(const Subject& subject, Worst& worst) {
     }
 }
 
-/// The angle of a zone that is worst for a gate.
+/// The angle of a zone that is worst for a gate. Only the angle farthest from 90 degrees is kept
+/// with its place.
 void include_angle(const ZoneMeasure& zone, GateMeasure measure, Worst& worst) {
     const AngleMeasure& angles = zone.angles;
     if (angles.corners == 0) return;
-    const double skewness = std::max(90 - angles.least, angles.greatest - 90) / 90;
-    const double value = measure == GateMeasure::min_angle   ? angles.least
-                         : measure == GateMeasure::max_angle ? angles.greatest
-                                                             : skewness;
-    // Only the angle farthest from 90 degrees is kept with its place.
-    const double kept = measure == GateMeasure::min_angle   ? 90 - angles.least
-                        : measure == GateMeasure::max_angle ? angles.greatest - 90
-                                                            : 90 * skewness;
-    std::optional<Vec3> place;
-    if (kept >= 90 * skewness) place = angles.worst_place;
-    worst.include(value, zone_text(zone.name), place);
+    const double below = 90 - angles.least;
+    const double above = angles.greatest - 90;
+    const std::optional<Vec3> place = angles.worst_place;
+    if (measure == GateMeasure::min_angle) {
+        worst.include(angles.least, zone_text(zone.name), below >= above ? place : std::nullopt);
+    } else if (measure == GateMeasure::max_angle) {
+        worst.include(angles.greatest, zone_text(zone.name), above >= below ? place : std::nullopt);
+    } else {
+        worst.include(std::max(below, above) / 90, zone_text(zone.name), place);
+    }
 }
 
 GateResult judge(const Gate& gate, const Subject& subject) {

@@ -12,23 +12,12 @@ namespace hexweave {
 namespace {
 
 /// Of all growth ratios along the lines of a zone.
-void include_growth(const PointField& x, Histogram& histogram) {
-    const Extent e = x.extent();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        Node step{};
-        step[axis] = 1;
-        for (int k = step[2]; k < e.nk - step[2]; ++k) {
-            for (int j = step[1]; j < e.nj - step[1]; ++j) {
-                for (int i = step[0]; i < e.ni - step[0]; ++i) {
-                    const Vec3 p = x(i, j, k);
-                    GrowthMeasure here;
-                    here.include(distance(x(i - step[0], j - step[1], k - step[2]), p),
-                                 distance(p, x(i + step[0], j + step[1], k + step[2])), p);
-                    histogram.include(here.ratio);
-                }
-            }
-        }
-    }
+void include_growth(const PointField& points, Histogram& histogram) {
+    for_intervals(points, [&](std::size_t, double length, double next, const Vec3& node) {
+        GrowthMeasure here;
+        here.include(length, next, node);
+        histogram.include(here.ratio);
+    });
 }
 
 void merge(std::vector<Histogram>& all, const CellStatistics& cells) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "core/field.h"
 #include "core/multiblock.h"
@@ -18,6 +19,26 @@ struct GrowthMeasure {
 
     void include(double length, double next_length, const Vec3& at);
 };
+
+/// Calls visit(axis, length, next_length, node) for every two intervals that follow each other on a
+/// grid line of i, j or k.
+template <class Visit>
+void for_intervals(const PointField& points, Visit&& visit) {
+    const Extent e = points.extent();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Node step{};
+        step[axis] = 1;
+        for (int k = step[2]; k < e.nk - step[2]; ++k) {
+            for (int j = step[1]; j < e.nj - step[1]; ++j) {
+                for (int i = step[0]; i < e.ni - step[0]; ++i) {
+                    const Vec3 p = points(i, j, k);
+                    visit(axis, distance(points(i - step[0], j - step[1], k - step[2]), p),
+                          distance(p, points(i + step[0], j + step[1], k + step[2])), p);
+                }
+            }
+        }
+    }
+}
 
 /// Along the lines of i, j and k.
 std::array<GrowthMeasure, 3> measure_growth(const PointField& points);
