@@ -155,6 +155,13 @@ std::string prefix(const Place& place) {
     return text + ": ";
 }
 
+void add_users(std::vector<Note>& notes, const Place& place) {
+    for (const Note* user = place.used_by.get(); user != nullptr;
+         user = user->place.used_by.get()) {
+        notes.push_back(*user);
+    }
+}
+
 std::string lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
@@ -216,11 +223,21 @@ void Diagnostics::sort() {
     }
 }
 
+std::vector<Note> all_notes(const Diagnostic& diagnostic) {
+    std::vector<Note> notes;
+    add_users(notes, diagnostic.place);
+    for (const Note& note : diagnostic.notes) {
+        notes.push_back(note);
+        if (note.place.used_by != diagnostic.place.used_by) add_users(notes, note.place);
+    }
+    return notes;
+}
+
 std::string render(const Diagnostic& diagnostic) {
     const char* severity = diagnostic.severity == Severity::error ? "error: " : "warning: ";
     std::string text = prefix(diagnostic.place) + severity + diagnostic.message + '\n';
     text += excerpt(diagnostic.place);
-    for (const Note& note : diagnostic.notes) {
+    for (const Note& note : all_notes(diagnostic)) {
         text += prefix(note.place) + "note: " + note.message + '\n' + excerpt(note.place);
     }
     if (!diagnostic.hint.empty()) text += "  hint: " + diagnostic.hint + '\n';

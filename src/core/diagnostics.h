@@ -16,13 +16,18 @@ struct SourceFile {
     std::string text;
 };
 
+struct Note;
+
 /// A place in a source: line and column count from 1; 0 means "the file as a whole" (line) or
-/// "no column" (column). `length` is how many characters the caret underlines.
+/// "no column" (column). `length` is how many characters the caret underlines. Where the text there
+/// is made use of from elsewhere (an included file, an instance of a component), `used_by` says so:
+/// "in instance 'slat', written here", at a place that may itself be used by another.
 struct Place {
     std::shared_ptr<const SourceFile> file;
     int line = 0;
     int column = 0;
     int length = 1;
+    std::shared_ptr<const Note> used_by{};
 };
 
 enum class Severity { error, warning };
@@ -66,6 +71,10 @@ struct InputError : std::exception {
     explicit InputError(Diagnostics d) : diagnostics(std::move(d)) {}
     const char* what() const noexcept override { return "the input has errors"; }
 };
+
+/// The notes as they are shown: who uses the place of the diagnostic, then its own notes, each with
+/// who uses its place where that is somebody else.
+std::vector<Note> all_notes(const Diagnostic& diagnostic);
 
 /// `wing.yaml:42:9: error: ...`, the line, a caret, the notes, the hint.
 std::string render(const Diagnostic& diagnostic);

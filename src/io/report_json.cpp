@@ -12,7 +12,7 @@ Json place(const Place& p) {
 
 Json diagnostic(const Diagnostic& d) {
     Json notes = Json::array();
-    for (const Note& n : d.notes) {
+    for (const Note& n : all_notes(d)) {
         Json note = place(n.place);
         note["message"] = n.message;
         notes.push_back(note);

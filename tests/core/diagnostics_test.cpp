@@ -31,6 +31,32 @@ TEST_CASE("an error shows its place, its line, a caret and a hint") {
           "  hint: did you mean 'cells'?\n");
 }
 
+TEST_CASE("a message on a text that is used from elsewhere says from where") {
+    const std::string text = "components:\n  section: {c: 0}\ninstances:\n  slat: {}\n  flap: {}\n";
+    const auto inside = [&](int user_line) {
+        Place where = place(text, 2, 13, 4);
+        where.used_by = std::make_shared<const Note>(
+            Note{place(text, user_line, 3, 4), "in instance, written here"});
+        return where;
+    };
+    Diagnostics diagnostics;
+    Diagnostic& d = diagnostics.error(inside(4), "wrong");
+    d.notes.push_back({inside(5), "differs from"});
+    CHECK(render(diagnostics) ==
+          "wing.yaml:2:13: error: wrong\n"
+          "  section: {c: 0}\n"
+          "            ^~~~\n"
+          "wing.yaml:4:3: note: in instance, written here\n"
+          "  slat: {}\n"
+          "  ^~~~\n"
+          "wing.yaml:2:13: note: differs from\n"
+          "  section: {c: 0}\n"
+          "            ^~~~\n"
+          "wing.yaml:5:3: note: in instance, written here\n"
+          "  flap: {}\n"
+          "  ^~~~\n");
+}
+
 TEST_CASE("a warning says so and notes stand before the hint") {
     const Place first = place("a: 1\nb: 2\na: 3\n", 1, 1);
     const Place again = place("a: 1\nb: 2\na: 3\n", 3, 1);

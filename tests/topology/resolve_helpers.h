@@ -30,7 +30,9 @@ inline std::string shown(const Diagnostic& d) {
     std::string text = line(d.place);
     text += d.severity == Severity::error ? "error: " : "warning: ";
     text += d.message + "\n";
-    for (const Note& note : d.notes) text += "  " + line(note.place) + note.message + "\n";
+    for (const Note& note : all_notes(d)) {
+        text += "  " + line(note.place) + note.message + "\n";
+    }
     if (!d.hint.empty()) text += "  hint: " + d.hint + "\n";
     return text;
 }
