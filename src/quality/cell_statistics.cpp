@@ -2,90 +2,21 @@
 #include "quality/cell_statistics.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/parallel.h"
 #include "quality/cell_corners.h"
+#include "quality/cell_measures.h"
 #include "quality/jacobian_bound.h"
 
 namespace hexweave {
 
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-
-/// The nodes of a block's cell; of a surface cell the first four.
-CellNodes nodes_of(const PointField& x, const Node& cell) {
-    CellNodes nodes{};
-    const int corners = x.extent().nk == 1 ? 4 : 8;
-    for (int c = 0; c < corners; ++c) {
-        nodes[static_cast<std::size_t>(c)] =
-            x(cell[0] + (c & 1), cell[1] + ((c >> 1) & 1), cell[2] + (c >> 2));
-    }
-    return nodes;
-}
-
 Vec3 centre_of(const CellNodes& nodes, int count) {
     Vec3 sum;
     for (int c = 0; c < count; ++c) sum += nodes[static_cast<std::size_t>(c)];
     return sum / count;
-}
-
-/// The edges of a cell, as pairs of corners: along i, j, k.
-struct EdgesOfCell {
-    std::array<std::array<std::size_t, 2>, 12> pairs{};
-    std::size_t count = 0;
-
-    explicit EdgesOfCell(std::size_t axes) {
-        for (std::size_t axis = 0; axis < axes; ++axis) {
-            const std::size_t bit = std::size_t{1} << axis;
-            for (std::size_t low = 0; low < (std::size_t{1} << axes); ++low) {
-                if ((low & bit) == 0) pairs[count++] = {low, low | bit};
-            }
-        }
-    }
-};
-
-/// Longest over shortest edge.
-double aspect_ratio(const CellNodes& nodes, std::size_t axes) {
-    double shortest = std::numeric_limits<double>::infinity();
-    double longest = 0;
-    const EdgesOfCell edges(axes);
-    for (std::size_t n = 0; n < edges.count; ++n) {
-        const double length = distance(nodes[edges.pairs[n][0]], nodes[edges.pairs[n][1]]);
-        if (length == 0) continue;
-        shortest = std::min(shortest, length);
-        longest = std::max(longest, length);
-    }
-    return longest > 0 ? longest / shortest : 1;
-}
-
-/// The cosines of the angles of a cell's quadrilaterals, at every corner for every pair of axes.
-template <class Visit>
-void visit_cosines(const CellNodes& nodes, std::size_t axes, Visit&& visit) {
-    for (std::size_t c = 0; c < (std::size_t{1} << axes); ++c) {
-        for (std::size_t a = 0; a < axes; ++a) {
-            for (std::size_t b = a + 1; b < axes; ++b) {
-                const Vec3 p = nodes[c ^ (std::size_t{1} << a)] - nodes[c];
-                const Vec3 q = nodes[c ^ (std::size_t{1} << b)] - nodes[c];
-                const double lengths = dot(p, p) * dot(q, q);
-                if (lengths > 0) visit(dot(p, q) / std::sqrt(lengths));
-            }
-        }
-    }
-}
-
-double degrees_from_90(double cosine) {
-    return std::asin(std::min(std::abs(cosine), 1.0)) * degrees;
-}
-
-/// Half the product of the diagonals, seen along the cell's normal.
-double surface_area(const CellNodes& n, bool planar) {
-    const Vec3 area = 0.5 * cross(n[3] - n[0], n[2] - n[1]);
-    return planar ? area.z : norm(area);
 }
 
 class Collector {
@@ -153,7 +84,7 @@ double Collector::include_volume(const Node& cell, const Vec3& centre, const Cel
         verdict = judge_jacobian(coefficients, flat);
     } else {
         // The Jacobian of a bilinear map is linear along every side: its corners bound it.
-        volume = surface_area(nodes, planar_);
+        volume = surface_cell_area(nodes, planar_);
         for (const CellCorner& corner : corners) {
             if (corner.folds()) verdict = JacobianVerdict::not_positive;
         }
@@ -170,8 +101,7 @@ double Collector::include_volume(const Node& cell, const Vec3& centre, const Cel
 /// Returns the skewness of the cell.
 double Collector::include_angles(const CellNodes& nodes) {
     double greatest = 0;
-    visit_cosines(nodes, axes_, [&](double cosine) {
-        const double off = degrees_from_90(cosine);
+    visit_deviations(nodes, axes_, [&](double off) {
         statistics.deviation.include(off);
         if (!(off <= greatest)) greatest = off;
     });
@@ -193,7 +123,7 @@ void Collector::keep_worst(const WorstCell& cell) {
 }
 
 void Collector::include(const Node& cell) {
-    const CellNodes nodes = nodes_of(zone_.points, cell);
+    const CellNodes nodes = cell_nodes(zone_.points, cell);
     const Vec3 centre = centre_of(nodes, axes_ == 3 ? 8 : 4);
     const CellCorners corners = cell_corners(zone_.points, cell, planar_);
     const double scaled = include_corners(cell, centre, corners);
@@ -202,7 +132,7 @@ void Collector::include(const Node& cell) {
     statistics.skewness.include(skewness);
     statistics.quality.mean_skewness += skewness;
     keep_greatest(statistics.quality.greatest_skewness, {skewness, cell, centre});
-    const double aspect = aspect_ratio(nodes, axes_);
+    const double aspect = cell_aspect_ratio(nodes, axes_);
     statistics.aspect_ratio.include(aspect);
     keep_greatest(statistics.quality.greatest_aspect_ratio, {aspect, cell, centre});
     keep_worst({zone_.name, cell, centre, scaled, volume, skewness});

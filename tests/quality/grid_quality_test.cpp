@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "quality/cell_measures.h"
 
 using namespace hexweave;
 
@@ -150,4 +151,13 @@ TEST_CASE("the quality of a grid does not depend on the number of threads") {
     CHECK(one.zones[0].mean_skewness == three.zones[0].mean_skewness);
     CHECK(one.zones[0].bends[0].sum == three.zones[0].bends[0].sum);
     CHECK(one.worst[9].cell == three.worst[9].cell);
+}
+
+TEST_CASE("the measures of one cell are those of the cell, not of its neighbours") {
+    const MultiblockGrid box = sheared_box(60);
+    const CellMeasures sheared = measure_cell(box.zones[0].points, {1, 2, 3}, false);
+    CHECK(sheared.scaled_jacobian == Approx(std::sin(pi / 3)));
+    CHECK(sheared.skewness == Approx(30.0 / 90));
+    CHECK(sheared.aspect_ratio == Approx(2));
+    CHECK(sheared.volume == Approx(0.5 * std::sin(pi / 3)));
 }
