@@ -25,10 +25,10 @@ struct AirfoilShape {
     std::optional<double> chord;
 };
 
-/// The airfoil through points in the order of AirfoilPoints, same conventions as naca4. The leading
-/// edge is the point farthest from the trailing edge: a given point, unless the spline reaches out
-/// farther than that by more than 1e-5 of the chord. `whole` is closed when the section ends where
-/// it starts. Faults: fewer than five points, coincident ones, no extent along x.
+/// The airfoil through points in the order of AirfoilPoints, same conventions as naca_airfoil. The
+/// leading edge is the point farthest from the trailing edge: a given point, unless the spline
+/// reaches out farther than that by more than 1e-5 of the chord. `whole` is closed when the section
+/// ends where it starts. Faults: fewer than five points, coincident ones, no extent along x.
 /// Precondition: chord > 0.
 CurveResult airfoil(const std::vector<Vec3>& points, const AirfoilShape& shape);
 

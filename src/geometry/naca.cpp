@@ -18,10 +18,24 @@ struct Rated {
     double rate;
 };
 
+/// One end of a camber line: z (constant + linear z + square z^2), z the distance from that end, so
+/// that it is exactly 0 there.
+struct CamberEnd {
+    double constant = 0;
+    double linear = 0;
+    double square = 0;
+};
+
+/// A camber line in two pieces that meet at `joint` (0: no camber).
+struct CamberLine {
+    double joint = 0;
+    CamberEnd front;  ///< z = x
+    CamberEnd rear;   ///< z = 1 - x
+};
+
 /// The section for unit chord.
 struct Section {
-    double camber = 0;     ///< greatest camber m
-    double place = 0;      ///< of the greatest camber, p; 0 without camber
+    CamberLine camber;
     double thickness = 0;  ///< greatest thickness t
     bool sharp = true;
 };
@@ -50,16 +64,52 @@ struct Camber {
 };
 
 /// The camber line at x; exactly 0 at both ends.
-Camber camber_line(const Section& section, double x) {
-    const double m = section.camber;
-    const double p = section.place;
-    if (m == 0) return {0, 0, 0};
-    if (x < p) {
-        const double f = m / (p * p);
-        return {f * x * (2 * p - x), 2 * f * (p - x), -2 * f};
-    }
-    const double f = m / ((1 - p) * (1 - p));
-    return {f * (1 - x) * (1 - 2 * p + x), 2 * f * (p - x), -2 * f};
+Camber camber_at(const CamberLine& line, double x) {
+    const bool front = x < line.joint;
+    const CamberEnd& end = front ? line.front : line.rear;
+    const double z = front ? x : 1 - x;
+    const double slope = end.constant + z * (2 * end.linear + z * 3 * end.square);
+    return {z * (end.constant + z * (end.linear + z * end.square)), front ? slope : -slope,
+            2 * end.linear + z * 6 * end.square};
+}
+
+/// Two parabolas that are level where they meet, m high at p.
+CamberLine four_digit_camber(double m, double p) {
+    const double front = m / (p * p);
+    const double rear = m / ((1 - p) * (1 - p));
+    return {p, {front * 2 * p, -front, 0}, {rear * 2 * (1 - p), -rear, 0}};
+}
+
+/// What the tables of Report 537 give for a design lift of 0.3.
+struct FiveDigitLine {
+    char place;
+    char reflexed;
+    double m;      ///< where the curvature's slope changes
+    double k1;     ///< that slope in front of m
+    double ratio;  ///< that slope behind m, relative to k1: k2 / k1
+};
+
+constexpr std::array five_digit_lines{FiveDigitLine{'1', '0', 0.0580, 361.400, 0},
+                                      FiveDigitLine{'2', '0', 0.1260, 51.640, 0},
+                                      FiveDigitLine{'3', '0', 0.2025, 15.957, 0},
+                                      FiveDigitLine{'4', '0', 0.2900, 6.643, 0},
+                                      FiveDigitLine{'5', '0', 0.3910, 3.230, 0},
+                                      FiveDigitLine{'2', '1', 0.1300, 51.990, 0.000764},
+                                      FiveDigitLine{'3', '1', 0.2170, 15.793, 0.00677},
+                                      FiveDigitLine{'4', '1', 0.3180, 6.520, 0.0303},
+                                      FiveDigitLine{'5', '1', 0.4410, 3.191, 0.1355}};
+
+/// A cubic whose second derivative falls to 0 at m, and a cubic (a straight line where not
+/// reflexed) behind it. Both ends have been divided by their distance from that end.
+CamberLine five_digit_camber(const FiveDigitLine& line, double lift) {
+    const double m = line.m;
+    const double behind = 1 - m;
+    const double f = line.k1 / 6 * (lift / 0.3);
+    const double tilt = line.ratio * behind * behind * behind + m * m * m;
+    const double r = f * line.ratio;
+    return {m,
+            {f * (3 * m * m - tilt), -3 * f * m, f},
+            {f * tilt - 3 * r * behind * behind, 3 * r * behind, -r}};
 }
 
 /// Position and derivative at s = sqrt(x), on the upper (sign 1) or lower (-1) side.
@@ -71,7 +121,7 @@ struct SectionPoint {
 SectionPoint section_point(const Section& section, double s, double sign) {
     const double x = s * s;
     const Rated y = half_thickness(section, s);
-    const Camber camber = camber_line(section, x);
+    const Camber camber = camber_at(section.camber, x);
     // The normal of the camber line is (-sine, cosine) of its angle.
     const double cosine = 1 / std::sqrt(1 + camber.slope * camber.slope);
     const double sine = camber.slope * cosine;
@@ -87,7 +137,7 @@ Curve side_curve(const Section& section, double sign) {
     Curve curve;
     curve.position = [=](double s) { return section_point(section, s, sign).position; };
     curve.derivative = [=](double s) { return section_point(section, s, sign).derivative; };
-    if (section.camber > 0) curve.breaks = {std::sqrt(section.place)};
+    if (section.camber.joint > 0) curve.breaks = {std::sqrt(section.camber.joint)};
     return curve;
 }
 
@@ -105,33 +155,58 @@ Curve whole_curve(const Section& section) {
     curve.end = 1;
     curve.closed = section.sharp;
     curve.breaks = {0};
-    if (section.camber > 0) {
-        const double s = std::sqrt(section.place);
+    if (section.camber.joint > 0) {
+        const double s = std::sqrt(section.camber.joint);
         curve.breaks = {-s, 0, s};
     }
     return curve;
 }
 
+/// The camber line of a code, or what is wrong with it.
+struct MaybeCamber {
+    CamberLine line;
+    std::string fault;
+};
+
+MaybeCamber camber_of(std::string_view code, const std::string& airfoil) {
+    const bool cambered = code[0] != '0';
+    const bool placed = code[1] != '0';
+    if (cambered && !placed) {
+        return {{}, airfoil + " has camber (first digit) without a place (second)"};
+    }
+    if (!cambered && placed) {
+        return {{}, airfoil + " has a place of camber (second digit) without camber"};
+    }
+    const int first = code[0] - '0';
+    if (code.size() == 4) {
+        if (!cambered) return {};
+        return {four_digit_camber(first / 100.0, (code[1] - '0') / 10.0), ""};
+    }
+    for (const FiveDigitLine& line : five_digit_lines) {
+        if (line.place == code[1] && line.reflexed == code[2]) {
+            return {five_digit_camber(line, 0.15 * first), ""};
+        }
+    }
+    return {{},
+            airfoil + " has no camber line '" + std::string(code.substr(1, 2)) +
+                "' (second and third digit): the five-digit ones are 10, 20, 30, 40, 50, and "
+                "reflexed 21, 31, 41, 51"};
+}
+
 }  // namespace
 
-CurveResult naca4(std::string_view code, double chord, AirfoilSide side, TrailingEdge edge) {
+CurveResult naca_airfoil(std::string_view code, double chord, AirfoilSide side, TrailingEdge edge) {
     const std::string quoted = std::string("'").append(code).append("'");
-    if (code.size() != 4) return "a NACA code has four digits, not " + quoted;
-    std::array<int, 4> digits{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        if (code[k] < '0' || code[k] > '9') return "a NACA code has four digits, not " + quoted;
-        digits[k] = code[k] - '0';
+    const bool digits = code.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!digits || (code.size() != 4 && code.size() != 5)) {
+        return "a NACA code has four or five digits, not " + quoted;
     }
-    const Section section{digits[0] / 100.0, digits[1] / 10.0, (10 * digits[2] + digits[3]) / 100.0,
-                          edge == TrailingEdge::sharp};
-    if (section.thickness == 0) return "the NACA airfoil " + quoted + " has no thickness";
-    if (section.camber > 0 && section.place == 0) {
-        return "the NACA airfoil " + quoted + " has camber (first digit) without a place (second)";
-    }
-    if (section.camber == 0 && section.place > 0) {
-        return "the NACA airfoil " + quoted +
-               " has a place of camber (second digit) without camber";
-    }
+    const std::string airfoil = "the NACA airfoil " + quoted;
+    const int thickness = 10 * (code[code.size() - 2] - '0') + (code.back() - '0');
+    if (thickness == 0) return airfoil + " has no thickness";
+    const MaybeCamber camber = camber_of(code, airfoil);
+    if (!camber.fault.empty()) return camber.fault;
+    const Section section{camber.line, thickness / 100.0, edge == TrailingEdge::sharp};
     const Curve unit = side == AirfoilSide::whole   ? whole_curve(section)
                        : side == AirfoilSide::upper ? side_curve(section, 1)
                                                     : side_curve(section, -1);

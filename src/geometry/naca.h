@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NACA airfoils of four digits, from their formula.
+// NACA airfoils of four and five digits, from their formulas.
 #pragma once
 
 #include <string_view>
@@ -17,14 +17,17 @@ enum class AirfoilSide { upper, lower, whole };
 /// The trailing edge of the formula: closed, or open as first published.
 enum class TrailingEdge { sharp, blunt };
 
-/// The NACA airfoil `code` (four digits: camber, its place, thickness), the leading edge at the
-/// origin, the chord along +x, z = 0 [Jacobs, Ward & Pinkerton 1933, NACA Report 460]; thickness is
-/// laid off normal to the camber line. The last coefficient of the thickness is -0.1036 when sharp,
-/// -0.1015 when blunt. The parameter p is such that x is about p^2, so that it is regular at the
-/// leading edge: 0 to 1 on a side, -1 (upper) to 1 (lower) on the whole, which is closed when
-/// sharp. Sides start at the origin and, when sharp, end at (chord, 0), exactly.
-/// Faults: not four digits, no thickness, camber without a place or a place without camber.
-/// Precondition: chord > 0.
-CurveResult naca4(std::string_view code, double chord, AirfoilSide side, TrailingEdge edge);
+/// The NACA airfoil `code`, the leading edge at the origin, the chord along +x, z = 0; thickness is
+/// laid off normal to the camber line. Four digits: greatest camber (per cent), its place (tenths),
+/// thickness (per cent) [Jacobs, Ward & Pinkerton 1933, NACA Report 460]. Five: design lift
+/// (times 3/20), place of the greatest camber (twentieths, 1 to 5), 0 or 1 for a reflexed camber
+/// line of no pitching moment (places 2 to 5), thickness [Jacobs & Pinkerton 1935, NACA Report
+/// 537], with the rounded constants of that report's tables. The last coefficient of the thickness
+/// is -0.1036 when sharp, -0.1015 when blunt. The parameter p is such that x is about p^2, so that
+/// it is regular at the leading edge: 0 to 1 on a side, -1 (upper) to 1 (lower) on the whole, which
+/// is closed when sharp. Sides start at the origin and, when sharp, end at (chord, 0), exactly.
+/// Faults: not four or five digits, no thickness, camber without a place or a place without camber,
+/// a camber line that the tables do not have. Precondition: chord > 0.
+CurveResult naca_airfoil(std::string_view code, double chord, AirfoilSide side, TrailingEdge edge);
 
 }  // namespace hexweave

@@ -150,7 +150,7 @@ MaybeCurve read_naca(Reading& reading, const YamlNode& entry) {
                            : read_choice(reading, *edge, "'trailing_edge'", {"sharp", "blunt"});
     if (!digits || !chord || !side || !blunt) return std::nullopt;
     const TrailingEdge trailing = *blunt == 0 ? TrailingEdge::sharp : TrailingEdge::blunt;
-    return accept(reading, code, naca4(*digits, *chord, *side, trailing));
+    return accept(reading, code, naca_airfoil(*digits, *chord, *side, trailing));
 }
 
 MaybeCurve read_airfoil_curve(Reading& reading, const YamlNode& entry) {

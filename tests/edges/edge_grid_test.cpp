@@ -85,7 +85,8 @@ TEST_CASE("a first cell of 1e-5 on a long curved edge is met to 1e-6") {
 
 TEST_CASE("small cells at the trailing edge of an airfoil are met to 1e-6") {
     Edges edges;
-    const Curve lower = naca4("2412", 1, AirfoilSide::lower, TrailingEdge::sharp).curve.value();
+    const Curve lower =
+        naca_airfoil("2412", 1, AirfoilSide::lower, TrailingEdge::sharp).curve.value();
     const Edge there = edges.add(lower, 0, 1, 64, TanhLaw{1e-5, 1e-6});
     const Edge back = edges.add(lower, 1, 0, 64, TanhLaw{1e-6, 1e-5});
     const std::vector<EdgeGrid> grids = make_edges(edges.topology);

@@ -139,7 +139,8 @@ TEST_CASE("the section passes its points, and its sides are its parts") {
 
 TEST_CASE("the spline through NACA 0012 coordinates is the formula's shape") {
     const Curve whole = shape(file_text("naca0012.dat"), {});
-    const Curve exact = naca4("0012", 1, AirfoilSide::whole, TrailingEdge::blunt).curve.value();
+    const Curve exact =
+        naca_airfoil("0012", 1, AirfoilSide::whole, TrailingEdge::blunt).curve.value();
     double at_nose = 0;
     double behind = 0;
     for (int k = 0; k <= 500; ++k) {

@@ -152,7 +152,8 @@ TEST_CASE("fractions of a circle are fractions of its turn") {
 }
 
 TEST_CASE("a point of a curve projects onto itself") {
-    const Curve naca = naca4("2412", 1, AirfoilSide::whole, TrailingEdge::blunt).curve.value();
+    const Curve naca =
+        naca_airfoil("2412", 1, AirfoilSide::whole, TrailingEdge::blunt).curve.value();
     for (const Curve& curve : {parabola(-1, 3), circle({1, 1, 0}, 2), square(), naca}) {
         for (int k = 0; k < 97; ++k) {
             const double t = curve.begin + curve.period() * k / 97.0;

@@ -51,7 +51,8 @@ TEST_CASE("a transformed curve is the image of the curve") {
 }
 
 TEST_CASE("a reversed curve is the curve backwards") {
-    const Curve curve = naca4("2412", 1, AirfoilSide::whole, TrailingEdge::sharp).curve.value();
+    const Curve curve =
+        naca_airfoil("2412", 1, AirfoilSide::whole, TrailingEdge::sharp).curve.value();
     const Curve back = reversed(curve);
     CHECK(evaluate(back, back.begin) == evaluate(curve, curve.end));
     CHECK(evaluate(back, -0.3) == evaluate(curve, 0.3));
@@ -80,7 +81,8 @@ TEST_CASE("a piece keeps its parameters, and the breaks inside") {
 }
 
 TEST_CASE("a piece by fractions holds that part of the length") {
-    const Curve side = naca4("0012", 1, AirfoilSide::upper, TrailingEdge::sharp).curve.value();
+    const Curve side =
+        naca_airfoil("0012", 1, AirfoilSide::upper, TrailingEdge::sharp).curve.value();
     const double length = arc_length(side, 0, 1);
     const Curve part = piece_by_fractions(side, 0.25, 0.75);
     CHECK(arc_length(part, part.begin, part.end) == Approx(0.5 * length).epsilon(1e-12));
