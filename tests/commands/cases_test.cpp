@@ -39,6 +39,10 @@ const std::vector<ShippedCase> shipped_cases{
     {"rae2822", "", 4, 24576,
      "--zones upper=81x97x1 lower=81x97x1 wake_up=49x97x1 wake_low=49x97x1 --families airfoil "
      "farfield outflow"},
+    {"half_cylinder", "", 10, 2048,
+     "--zones lower_e=17x13x1 upper_e=17x13x1 upper_w=17x13x1 lower_w=17x13x1 side_e=17x13x1 "
+     "corner_e=17x17x1 top_e=13x17x1 top_w=13x17x1 corner_w=17x17x1 side_w=17x13x1 "
+     "--families cylinder symmetry top inflow outflow"},
     {"obstacle", "", 1, 24000, "--zones ring=401x61x1 --families body farfield"},
     {"scherk", "", 1, 1600, "--zones surface=41x41x1 --families rim"},
     {"pipe", "--set across=8 --set radial=12 --set along=10", 5, 4480,
