@@ -57,8 +57,15 @@ private:
         const char c = text_[at_];
         if (is_letter(c)) return name();
         if (is_digit(c) || c == '.') return number();
-        if (c == '(') calls_.push_back(after_function_);
-        if (c == ')' && !calls_.empty()) calls_.pop_back();
+        if (c == '(') {
+            calls_.push_back(after_function_);
+            comparisons_.push_back(false);
+        }
+        if (c == ')' && !calls_.empty()) {
+            calls_.pop_back();
+            comparisons_.pop_back();
+        }
+        if (const std::size_t length = logical_operator()) return logic(length);
         if (c == ',' && (calls_.empty() || !calls_.back())) {
             return ExpressionFault{"a ',' where none can stand",
                                    "the decimal separator is the point", at_, 1};
@@ -69,9 +76,33 @@ private:
         if (!is_blank(c) && std::string_view("+-*/^(),").find(c) == std::string_view::npos) {
             return foreign_character();
         }
+        if (c == ',') comparisons_.back() = false;
         if (!is_blank(c)) after_function_ = false;
         after_value_ = c == ')' || (is_blank(c) && after_value_);
         ++at_;
+        return std::nullopt;
+    }
+
+    /// The length of the comparison or logical operator that stands here, or 0.
+    std::size_t logical_operator() const {
+        for (const std::string_view two : {"==", "!=", "<=", ">=", "&&", "||"}) {
+            if (text_.compare(at_, 2, two) == 0) return 2;
+        }
+        return std::string_view("<>!?:").find(text_[at_]) == std::string_view::npos ? 0 : 1;
+    }
+
+    std::optional<ExpressionFault> logic(std::size_t length) {
+        const std::string written = text_.substr(at_, length);
+        const bool compares =
+            std::string_view("== != <= >=").find(written) != std::string::npos && written != "!";
+        if (compares && comparisons_.back()) {
+            return ExpressionFault{"comparisons do not chain",
+                                   "write 'a < b && b < c' for 'a < b < c'", at_, length};
+        }
+        if (written != "!") comparisons_.back() = compares;
+        after_function_ = false;
+        after_value_ = false;
+        at_ += length;
         return std::nullopt;
     }
 
@@ -79,7 +110,16 @@ private:
         std::size_t bytes = 1;
         while (at_ + bytes < text_.size() && (text_[at_ + bytes] & 0xC0) == 0x80) ++bytes;
         return {fmt::format("'{}' has no place in an expression", text_.substr(at_, bytes)),
-                "expressions have numbers, parameters, + - * / ^ ( ) and functions", at_, 1};
+                remedy(text_[at_]), at_, 1};
+    }
+
+    static const char* remedy(char c) {
+        if (c == '=') return "two values are compared by '=='";
+        if (c == '&') return "'and' is written '&&'";
+        if (c == '|') return "'or' is written '||'";
+        return "expressions have numbers, parameters, + - * / ^ ( ), functions, comparisons, && || "
+               "! "
+               "and a ? b : c";
     }
 
     std::optional<ExpressionFault> number() {
@@ -202,6 +242,9 @@ private:
     ParameterScope& scope_;
     ScannedExpression result_;
     std::size_t at_ = 0;
+    /// By open parentheses: whether a comparison stands before, to which another must not be
+    /// chained.
+    std::vector<bool> comparisons_{false};
     std::vector<bool> calls_;  ///< open parentheses: whether each holds a function's arguments
     bool after_function_ = false;
     bool after_value_ = false;  ///< a number, a name or a ')' has just ended

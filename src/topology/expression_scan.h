@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A look through an expression before muParser parses it: refuses what is not arithmetic (muParser
-// also knows assignments, strings, comparisons and lists) and collects the names.
+// A look through an expression before muParser parses it: refuses what users are not promised
+// (muParser also knows assignments, strings and lists) and collects the names.
 #pragma once
 
 #include <map>

@@ -29,6 +29,9 @@ double round_up(double x) {
 double cube_root(double x) {
     return std::cbrt(x);
 }
+double negated(double x) {
+    return x == 0 ? 1 : 0;
+}
 
 /// The values of at most two variables.
 using Arguments = std::array<double, 2>;
@@ -44,6 +47,7 @@ public:
         parser_.DefineFun("floor", round_down);
         parser_.DefineFun("ceil", round_up);
         parser_.DefineFun("cbrt", cube_root);
+        parser_.DefineInfixOprt("!", negated, mu::prINFIX);
         for (const auto& [name, value] : values) parser_.DefineConst(name, value);
         for (std::size_t n = 0; n < variables.size(); ++n) {
             parser_.DefineVar(variables[n], &arguments_.at(n));
@@ -87,6 +91,12 @@ ExpressionFault fault_of(const mu::ParserError& error, const std::string& text) 
         case mu::ecUNEXPECTED_OPERATOR:
         case mu::ecUNASSIGNABLE_TOKEN:
             fault.message = "an operator where a value should stand";
+            break;
+        case mu::ecMISPLACED_COLON:
+            fault.message = "a ':' without a '?' before it";
+            break;
+        case mu::ecMISSING_ELSE_CLAUSE:
+            fault.message = "a '?' without its ':'";
             break;
         case mu::ecTOO_MANY_PARAMS:
             fault.message = fmt::format("too many arguments");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arithmetic expressions over parameters: what may stand in a file wherever a number stands.
-// Numbers, parameters, `pi` and `e`, + - * / ^, parentheses and functions; angles are in radians,
-// `^` is the power and binds to the right. The locale does not matter.
+// Numbers, parameters, `pi` and `e`, + - * / ^, parentheses and functions; comparisons == != < <= >
+// >= and && || !, whose values are 1 and 0, and `condition ? a : b`. Angles are in radians, `^` is
+// the power and binds to the right. The locale does not matter.
 #pragma once
 
 #include <array>

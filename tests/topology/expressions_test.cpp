@@ -71,6 +71,33 @@ TEST_CASE("operators bind as in mathematics, and the power to the right") {
     CHECK(value("-chord^2*a1") == -12);
 }
 
+TEST_CASE("comparisons give 1 or 0, exactly, and choose") {
+    CHECK(value("a1 > chord") == 1);
+    CHECK(value("a1 < chord") == 0);
+    CHECK(value("a1 >= 3 && chord <= 2") == 1);
+    CHECK(value("a1 == 3 + 1e-15") == 0);
+    CHECK(value("a1 != 3 + 1e-15") == 1);
+    CHECK(value("a1 == 3 || 0") == 1);
+    CHECK(value("!(a1 == 3)") == 0);
+    CHECK(value("!0 == 1") == 1);
+    CHECK(value("2 * (a1 > 2) + 1") == 3);
+    CHECK(value("a1 > 5 ? 10 : a1 > 2 ? 20 : 30") == 20);
+    CHECK(value("1 + 1 < 3 && 2 < 3") == 1);
+    CHECK(value("max(1 < 2, 0 > 3)") == 1);
+    const auto f = function_of_t("t < 0.5 ? t : 1 - t");
+    CHECK(f(0.25) == 0.25);
+    CHECK(f(0.75) == 0.25);
+}
+
+TEST_CASE("slips in comparisons are told") {
+    CHECK(fault("1 < a1 < 5") == "7+1 comparisons do not chain");
+    CHECK(fault("a1 > 2 & 1") == "7+1 '&' has no place in an expression");
+    CHECK(fault("a1 > 2 | 1") == "7+1 '|' has no place in an expression");
+    CHECK(fault("a1 ? 1").substr(4) == "a '?' without its ':'");
+    CHECK(fault("a1 : 1").substr(4) == "a ':' without a '?' before it");
+    CHECK(fault("a1 >").substr(4) == "the expression ends too early");
+}
+
 TEST_CASE("functions take radians, and each means one thing") {
     CHECK(value("sin(pi/2)") == 1);
     CHECK(value("cos(pi)") == -1);
@@ -108,8 +135,6 @@ TEST_CASE("what is not arithmetic is refused") {
     CHECK(fault("1, 2") == "1+1 a ',' where none can stand");
     CHECK(fault("(1, 2)") == "2+1 a ',' where none can stand");
     CHECK(fault("\"text\"") == "0+1 '\"' has no place in an expression");
-    CHECK(fault("1 < 2") == "2+1 '<' has no place in an expression");
-    CHECK(fault("1 ? 2 : 3") == "2+1 '?' has no place in an expression");
     CHECK(fault("#101") == "0+1 '#' has no place in an expression");
     CHECK(fault("0x10") == "0+4 '0x10' is neither a number nor a name");
     CHECK(fault("2**3") == "1+2 '**' is not an operator");
