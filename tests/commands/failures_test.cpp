@@ -182,6 +182,23 @@ TEST_CASE("the command line is checked") {
     CHECK(contains(scratch.hexweave("--version").out, "hexweave 0."));
 }
 
+TEST_CASE("check explains the names that it is asked about") {
+    const Scratch scratch;
+    const Finished told =
+        scratch.hexweave("check " + shipped("naca0012.yaml") + " --explain upper_ray --explain te");
+    INFO(told.out + told.err);
+    CHECK(told.exit_code == 0);
+    CHECK(contains(told.out, "64 cells: as edge 'nose_ray'"));
+    CHECK(contains(told.out, "vertex 'te'\n"));
+    CHECK(scratch.listing().empty());
+    const Finished unknown =
+        scratch.hexweave("check " + shipped("naca0012.yaml") + " --explain uper_ray");
+    CHECK(unknown.exit_code == 2);
+    CHECK(unknown.err ==
+          "hexweave: error: --explain uper_ray: the grid has no such vertex, edge, face, block or "
+          "boundary; did you mean 'upper_ray'?\n");
+}
+
 TEST_CASE("plot says what it cannot draw") {
     const Scratch scratch;
     scratch.write("tiny.yaml", tiny);
