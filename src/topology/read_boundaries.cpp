@@ -11,31 +11,6 @@ namespace hexweave {
 
 namespace {
 
-/// Boundary condition types of CGNS that solvers read from structured files.
-const Keys& boundary_types() {
-    static const Keys types{"BCWall",
-                            "BCWallViscous",
-                            "BCWallInviscid",
-                            "BCWallViscousHeatFlux",
-                            "BCWallViscousIsothermal",
-                            "BCSymmetryPlane",
-                            "BCSymmetryPolar",
-                            "BCFarfield",
-                            "BCInflow",
-                            "BCInflowSubsonic",
-                            "BCInflowSupersonic",
-                            "BCOutflow",
-                            "BCOutflowSubsonic",
-                            "BCOutflowSupersonic",
-                            "BCTunnelInflow",
-                            "BCTunnelOutflow",
-                            "BCExtrapolate",
-                            "BCDegenerateLine",
-                            "BCDegeneratePoint",
-                            "BCAxisymmetricWedge"};
-    return types;
-}
-
 std::string trimmed(const std::string& text) {
     const std::size_t first = text.find_first_not_of(" \t");
     if (first == std::string::npos) return {};
@@ -54,10 +29,10 @@ BoundaryEntry read_boundary(Reading& reading, const YamlNode& node) {
     const std::string what = fmt::format("boundary '{}'", shown(node.key));
     BoundaryEntry boundary;
     boundary.name = {node.key, node.key_place};
-    if (!expect_mapping(reading, node, what, {"type", "sides", "plane"})) return boundary;
+    if (!expect_mapping(reading, node, what, "boundary")) return boundary;
     if (const YamlNode* type = require(reading, node, "type", what)) {
         boundary.type.place = type->place;
-        if (read_choice(reading, *type, "'type'", boundary_types()))
+        if (read_choice(reading, *type, "'type'", words_of("boundary", "type")))
             boundary.type.value = type->text;
     }
     const YamlNode* sides = require(reading, node, "sides", what);

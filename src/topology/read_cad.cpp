@@ -202,11 +202,10 @@ std::optional<double> read_scale(const CadUse& use) {
             "leave 'units' out: each part is converted from its own");
         return std::nullopt;
     }
-    Keys names;
-    for (const LengthUnit& unit : length_units) names.push_back(unit.name);
+    const Keys& names = words_of("surface_cad", "units");
     const auto choice = read_choice(use.reading, *node, "'units'", names);
     if (!choice) return std::nullopt;
-    return length_units.at(*choice).metres / own->metres;
+    return find_length_unit(names[*choice])->metres / own->metres;
 }
 
 const CadFace* choose_face(const CadUse& use, const CadEntity& entity) {
@@ -228,16 +227,6 @@ const CadCurve* choose_curve(const CadUse& use, const CadEntity& entity) {
 }
 
 }  // namespace
-
-const Keys& cad_surface_keys() {
-    static const Keys keys{"entity", "label", "name", "face", "units"};
-    return keys;
-}
-
-const Keys& cad_curve_keys() {
-    static const Keys keys{"entity", "label", "name", "face", "edge", "units"};
-    return keys;
-}
 
 std::optional<Surface> read_cad_surface(Reading& reading, const YamlNode& entry) {
     const std::optional<CadUse> use = use_file(reading, entry);

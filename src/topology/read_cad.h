@@ -10,10 +10,6 @@
 
 namespace hexweave {
 
-/// Keys that may stand beside `cad`.
-const Keys& cad_surface_keys();
-const Keys& cad_curve_keys();
-
 /// The surface (curve) that an entry with a key `cad` names, its lengths in the units of the case;
 /// nothing after an error. A file that several entries name is read once.
 std::optional<Surface> read_cad_surface(Reading& reading, const YamlNode& entry);

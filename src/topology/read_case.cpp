@@ -19,13 +19,6 @@ namespace hexweave {
 
 namespace {
 
-const Keys& case_keys() {
-    static const Keys keys{"hexweave",   "title",    "units",  "parameters", "curves",
-                           "surfaces",   "vertices", "edges",  "faces",      "blocks",
-                           "boundaries", "periodic", "solver", "require",    "output"};
-    return keys;
-}
-
 const std::vector<RefusedKey>& later_keys() {
     static const std::vector<RefusedKey> keys{
         {"include", "including other files is not in this version yet", ""},
@@ -89,7 +82,7 @@ void read_title_and_units(Reading& reading, const YamlNode& root, Case& c) {
         c.title = read_text(reading, *title, "'title'").value_or("");
     }
     if (const YamlNode* units = find(reading, root, "units")) {
-        const Keys known{"m", "mm", "cm", "in", "ft"};
+        const Keys& known = words_of("case", "units");
         const auto choice = read_choice(reading, *units, "'units'", known);
         if (choice) c.units = known[*choice];
     }
@@ -98,8 +91,7 @@ void read_title_and_units(Reading& reading, const YamlNode& root, Case& c) {
 void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
     const YamlNode* node = section_of(reading, root, "solver");
     if (node == nullptr) return;
-    expect_mapping(reading, *node, "'solver'",
-                   {"tolerance", "maximum_cycles", "start", "flat_edge_exponent"});
+    expect_mapping(reading, *node, "'solver'", "solver");
     if (const YamlNode* tolerance = find(reading, *node, "tolerance")) {
         solver.tolerance =
             read_positive(reading, *tolerance, "'tolerance'").value_or(solver.tolerance);
@@ -109,7 +101,7 @@ void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
             read_count(reading, *maximum, "'maximum_cycles'").value_or(solver.maximum_cycles);
     }
     if (const YamlNode* start = find(reading, *node, "start")) {
-        const auto choice = read_choice(reading, *start, "'start'", {"transfinite", "folded"});
+        const auto choice = read_choice(reading, *start, "'start'", words_of("solver", "start"));
         solver.start_folded = choice && *choice == 1;
     }
     solver.flat_edge_exponent = read_flat_edge_exponent(reading, *node);
@@ -140,7 +132,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
         return c;
     }
     if (!check_version(reading, *root)) return c;
-    expect_mapping(reading, *root, "a case", case_keys(), later_keys());
+    expect_mapping(reading, *root, "a case", "case", later_keys());
     refuse_section(reading, *root, "periodic");
     read_title_and_units(reading, *root, c);
     reading.units = c.units;

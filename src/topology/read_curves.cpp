@@ -24,14 +24,17 @@ MaybeCurve read_other_curve(Shapes& shapes, const YamlNode& entry) {
 /// A family whose curves are made of other shapes.
 struct MadeFamily {
     std::string_view key;
-    Keys further;
+    FormatNames formats;
     MaybeCurve (*read)(Shapes& shapes, const YamlNode& entry);
 };
 
 const std::vector<MadeFamily>& made_families() {
     static const std::vector<MadeFamily> list{
-        {"of", {}, read_other_curve},
-        {"surface", surface_curve_keys(), read_surface_curve},
+        {"of", "curve_of", read_other_curve},
+        {"surface",
+         {"curve_of_equal_u", "curve_of_equal_v", "curve_of_side", "curve_of_line",
+          "curve_of_points"},
+         read_surface_curve},
     };
     return list;
 }
@@ -65,12 +68,8 @@ std::shared_ptr<const Curve> read_curve(Shapes& shapes, const YamlNode& entry) {
     const CurveFamily* family = find_family(curve_families(), key);
     const MadeFamily* made = find_family(made_families(), key);
     if (family == nullptr && made == nullptr) return nullptr;  // told by read_family
-    Keys keys{key};
-    const Keys& further = family != nullptr ? family->further : made->further;
-    keys.insert(keys.end(), further.begin(), further.end());
-    keys.insert(keys.end(), transform_keys().begin(), transform_keys().end());
-    keys.emplace_back("reverse");
-    expect_mapping(reading, entry, what, keys);
+    expect_mapping(reading, entry, what,
+                   made != nullptr ? made->formats : FormatNames("curve_" + key));
 
     MaybeCurve shape = family != nullptr ? family->read(reading, entry) : made->read(shapes, entry);
     const std::optional<std::vector<Affine>> maps = read_transforms(reading, entry, what);

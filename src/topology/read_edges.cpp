@@ -17,7 +17,7 @@ using VertexPlace = std::variant<Vec3, OnCurve, OnSurface>;
 VertexPlace read_place_on_surface(Reading& reading, const YamlNode& entry,
                                   const std::string& what) {
     const VertexPlace faulty = OnCurve{{{}, entry.place}, 0};
-    expect_mapping(reading, entry, what, {"surface", "at", "near"});
+    expect_mapping(reading, entry, what, "vertex_on_surface");
     OnSurface place;
     place.surfaces = read_names(reading, *find(reading, entry, "surface"), "'surface'");
     const YamlNode* at = find(reading, entry, "at");
@@ -64,8 +64,8 @@ VertexPlace read_place(Reading& reading, const YamlNode& entry, const std::strin
     if (find(reading, entry, "surface") != nullptr) {
         return read_place_on_surface(reading, entry, what);
     }
-    expect_mapping(reading, entry, what, {"curve", "at"});
-    tell_lacking(reading, entry, {"curve", "at"}, what);
+    expect_mapping(reading, entry, what, "vertex_on_curve");
+    tell_lacking(reading, entry, required_keys("vertex_on_curve"), what);
     const YamlNode* curve = find(reading, entry, "curve");
     const YamlNode* at = find(reading, entry, "at");
     Name name;
@@ -98,7 +98,7 @@ void read_cells(Reading& reading, const YamlNode& node, EdgeEntry& edge) {
 /// `{at: VERTEX, cells: n}`: an edge that is one vertex.
 void read_pole(Reading& reading, const YamlNode& node, const std::string& what, EdgeEntry& edge) {
     edge.pole = true;
-    expect_mapping(reading, node, what, {"at", "cells"},
+    expect_mapping(reading, node, what, "pole",
                    {{"spacing", "a pole, an edge that is one vertex, has no spacing", ""},
                     {"along", "a pole, an edge that is one vertex, follows no curve", ""}});
     edge.from = edge.to = read_name_at(reading, node, "at");
@@ -114,16 +114,14 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
         read_pole(reading, node, what, edge);
         return edge;
     }
-    const Keys keys{"from",  "to",      "along", "surface", "gap",
-                    "plane", "through", "cells", "spacing"};
-    if (!expect_mapping(reading, node, what, keys,
+    if (!expect_mapping(reading, node, what, "edge",
                         {{"at", "an edge is a pole 'at' a vertex, or goes 'from' one 'to' another",
                           "leave out 'at', or 'from' and 'to'"},
                          {"heights", "'heights' are not in this version yet",
                           "give a spacing with 'start', 'end' or 'positions'"}})) {
         return edge;
     }
-    tell_lacking(reading, node, {"from", "to"}, what);
+    tell_lacking(reading, node, required_keys("edge"), what);
     edge.from = read_name_at(reading, node, "from");
     edge.to = read_name_at(reading, node, "to");
     if (const YamlNode* along = find(reading, node, "along")) {

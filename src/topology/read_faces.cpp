@@ -15,23 +15,18 @@ namespace hexweave {
 
 namespace {
 
-Keys keys_of_sides(int count) {
-    Keys keys;
-    for (int side = 0; side < count; ++side) keys.push_back(side_name(static_cast<Side>(side)));
-    return keys;
-}
-
-MethodEntry read_method(Reading& reading, const YamlNode& node, const Keys& sides) {
+MethodEntry read_method(Reading& reading, const YamlNode& node, const FormatNames& heights) {
     MethodEntry how;
     if (const YamlNode* method = find(reading, node, "method")) {
-        const auto choice = read_choice(reading, *method, "'method'", {"elliptic", "algebraic"});
+        const auto choice =
+            read_choice(reading, *method, "'method'", words_of("any_face", "method"));
         if (choice && *choice == 1) how.method = Method::algebraic;
     }
     if (const YamlNode* tolerance = find(reading, node, "tolerance")) {
         how.tolerance = read_positive(reading, *tolerance, "'tolerance'");
     }
     how.flat_edge_exponent = read_flat_edge_exponent(reading, node);
-    how.heights = read_heights(reading, node, sides);
+    how.heights = read_heights(reading, node, heights);
     how.gates = read_gates(reading, node);
     return how;
 }
@@ -112,7 +107,7 @@ std::array<bool, 4> read_orthogonal(Reading& reading, const YamlNode& face, Meth
                                   "'orthogonal' is for elliptic faces, and this one is algebraic",
                                   "remove 'orthogonal' or 'method: algebraic'");
     }
-    const Keys sides = keys_of_sides(4);
+    const Keys sides = required_keys("face");
     if (node->is_sequence()) {
         if (node->children.empty()) {
             reading.diagnostics.error(node->place, "'orthogonal' names no side",
@@ -121,9 +116,8 @@ std::array<bool, 4> read_orthogonal(Reading& reading, const YamlNode& face, Meth
         for (const YamlNode& name : node->children) mark_orthogonal(reading, name, sides, marked);
         return marked;
     }
-    Keys choices = sides;
-    choices.emplace_back("all");
-    const auto choice = read_choice(reading, *node, "'orthogonal'", choices);
+    const auto choice =
+        read_choice(reading, *node, "'orthogonal'", words_of("any_face", "orthogonal"));
     if (!choice) return marked;
     if (*choice == sides.size()) {
         marked.fill(true);
@@ -135,16 +129,13 @@ std::array<bool, 4> read_orthogonal(Reading& reading, const YamlNode& face, Meth
 
 FaceEntry read_face(Reading& reading, const YamlNode& node) {
     const std::string what = fmt::format("face '{}'", shown(node.key));
-    const Keys sides = keys_of_sides(4);
+    const Keys sides = required_keys("face");
     std::array<std::vector<SignedName>, 4> edges;
     edges.fill({SignedName{{}, false, false, node.key_place}});
     FaceEntry face{{node.key, node.key_place}, edges, {}, {}};
 
-    Keys keys = sides;
-    keys.insert(keys.end(), {"corners", "method", "tolerance", "flat_edge_exponent", "heights",
-                             "surface", "gap", "orthogonal", "require"});
-    if (!expect_mapping(reading, node, what, keys)) return face;
-    face.how = read_method(reading, node, sides);
+    if (!expect_mapping(reading, node, what, {"face", "face_by_corners"})) return face;
+    face.how = read_method(reading, node, "face_heights");
     face.orthogonal = read_orthogonal(reading, node, face.how.method);
     face.surfaces = read_surfaces(reading, node);
     face.gap = read_gap(reading, node, "faces");
@@ -167,7 +158,7 @@ FaceEntry read_face(Reading& reading, const YamlNode& node) {
 /// `[-j, i]`: the two axes of a block's side in the face's own.
 std::optional<std::array<int, 2>> read_axes(Reading& reading, const YamlNode& node) {
     if (!expect_list(reading, node, "'axes'", 2)) return std::nullopt;
-    const Keys names{"i", "j", "-i", "-j"};
+    const Keys& names = words_of("face_use", "axes");
     static constexpr std::array<int, 4> values{1, 2, -1, -2};
     std::array<int, 2> axes{};
     for (std::size_t n = 0; n < 2; ++n) {
@@ -186,7 +177,7 @@ FaceUseEntry read_face_use(Reading& reading, const YamlNode& node, const std::st
         use.face = read_name(reading, node, what);
         return use;
     }
-    expect_mapping(reading, node, what, {"face", "axes"});
+    expect_mapping(reading, node, what, "face_use");
     const YamlNode* face = require(reading, node, "face", what);
     if (face != nullptr) use.face = read_name(reading, *face, "'face'");
     if (const YamlNode* axes = find(reading, node, "axes")) {
@@ -245,16 +236,13 @@ BlockSideEntry read_block_side(Reading& reading, const YamlNode& node, const std
 
 BlockEntry read_block(Reading& reading, const YamlNode& node) {
     const std::string what = fmt::format("block '{}'", shown(node.key));
-    const Keys sides = keys_of_sides(6);
+    const Keys sides = required_keys("block");
     std::array<BlockSideEntry, 6> faces;
     faces.fill({{{{{}, node.key_place}, {}}}, 1, false, node.key_place});
     BlockEntry block{{node.key, node.key_place}, faces, {}};
 
-    Keys keys = sides;
-    keys.insert(keys.end(),
-                {"corners", "method", "tolerance", "flat_edge_exponent", "heights", "require"});
-    if (!expect_mapping(reading, node, what, keys)) return block;
-    block.how = read_method(reading, node, sides);
+    if (!expect_mapping(reading, node, what, {"block", "block_by_corners"})) return block;
+    block.how = read_method(reading, node, "block_heights");
     const std::optional<bool> corners = by_corners(reading, node, sides, what);
     if (!corners) return block;
     if (*corners) {

@@ -57,9 +57,7 @@ std::vector<Gate> read_gates(Reading& reading, const YamlNode& mapping) {
     std::vector<Gate> gates;
     const YamlNode* node = find(reading, mapping, "require");
     if (node == nullptr) return gates;
-    Keys keys;
-    for (const GateRule& rule : rules) keys.push_back(rule.key);
-    if (!expect_mapping(reading, *node, "'require'", keys)) return gates;
+    if (!expect_mapping(reading, *node, "'require'", "gates")) return gates;
     for (const GateRule& rule : rules) {
         const YamlNode* given = find(reading, *node, rule.key);
         if (given != nullptr) read_gate(reading, *given, rule, gates);

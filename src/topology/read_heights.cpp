@@ -34,7 +34,7 @@ std::optional<HeldHeights> read_held(Reading& reading, const YamlNode& node) {
             "write held, or {height: SIZE} for a height other than that of the edges");
         return std::nullopt;
     }
-    expect_mapping(reading, node, what, {"height", "fade", "growth"});
+    expect_mapping(reading, node, what, "held_height");
     if (const YamlNode* height = find(reading, node, "height")) {
         held.height = read_positive(reading, *height, "'height'");
     }
@@ -49,11 +49,12 @@ std::optional<HeldHeights> read_held(Reading& reading, const YamlNode& node) {
 
 }  // namespace
 
-HeightRequests read_heights(Reading& reading, const YamlNode& entry, const Keys& sides) {
+HeightRequests read_heights(Reading& reading, const YamlNode& entry, const FormatNames& format) {
     HeightRequests requests;
     const YamlNode* node = find(reading, entry, "heights");
     if (node == nullptr) return requests;
-    if (!expect_mapping(reading, *node, "'heights'", sides)) return requests;
+    if (!expect_mapping(reading, *node, "'heights'", format)) return requests;
+    const Keys sides = keys_of(format);
     for (std::size_t side = 0; side < sides.size(); ++side) {
         const YamlNode* given = find(reading, *node, sides[side]);
         if (given != nullptr) requests.at(side) = read_held(reading, *given);

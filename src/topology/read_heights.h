@@ -7,8 +7,8 @@
 
 namespace hexweave {
 
-/// `heights: {jmin: held}` or `{jmin: {height: 1e-5, fade: 0.03, growth: 1.3}}`, where `sides` are
-/// the names that may stand; nothing where the key is not there.
-HeightRequests read_heights(Reading& reading, const YamlNode& entry, const Keys& sides);
+/// `heights: {jmin: held}` or `{jmin: {height: 1e-5, fade: 0.03, growth: 1.3}}`, where `format`
+/// names the sides that may stand; nothing where the key is not there.
+HeightRequests read_heights(Reading& reading, const YamlNode& entry, const FormatNames& format);
 
 }  // namespace hexweave

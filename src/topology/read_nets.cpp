@@ -105,7 +105,7 @@ struct SurfaceKnots {
 };
 
 std::optional<SurfaceKnots> read_surface_knots(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'knots'", {"u", "v"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'knots'", "nurbs_knots")) return std::nullopt;
     const YamlNode* along_u = require(reading, node, "u", "'knots'");
     const YamlNode* along_v = require(reading, node, "v", "'knots'");
     if (along_u == nullptr || along_v == nullptr) return std::nullopt;
@@ -134,14 +134,14 @@ bool check_net(Reading& reading, const YamlNode& node, const NurbsNet& net) {
 /// The keys that `nurbs` must have.
 bool require_parts(Reading& reading, const YamlNode& node) {
     bool all = true;
-    for (const std::string_view key : {"degree", "knots", "control"}) {
+    for (const std::string_view key : required_keys("nurbs_curve")) {
         all = require(reading, node, key, "'nurbs'") != nullptr && all;
     }
     return all;
 }
 
 std::optional<ControlMesh> read_mesh_file(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'control_points'", {"file"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'control_points'", "point_rows_file")) return std::nullopt;
     const YamlNode* name = require(reading, node, "file", "'control_points'");
     if (name == nullptr) return std::nullopt;
     const auto file = read_data_file(reading, *name, "'file'");
@@ -163,8 +163,7 @@ std::optional<ControlMesh> read_mesh(Reading& reading, const YamlNode& node) {
 
 std::optional<Curve> read_nurbs_curve(Reading& reading, const YamlNode& entry) {
     const YamlNode& node = *entry.find("nurbs");
-    const Keys keys{"degree", "knots", "control", "weights"};
-    if (!expect_mapping(reading, node, "'nurbs'", keys)) return std::nullopt;
+    if (!expect_mapping(reading, node, "'nurbs'", "nurbs_curve")) return std::nullopt;
     if (!require_parts(reading, node)) return std::nullopt;
     const YamlNode& knots = *find(reading, node, "knots");
     const YamlNode& control = *find(reading, node, "control");
@@ -193,8 +192,7 @@ std::optional<Curve> read_nurbs_curve(Reading& reading, const YamlNode& entry) {
 
 std::optional<Surface> read_nurbs_surface(Reading& reading, const YamlNode& entry) {
     const YamlNode& node = *find(reading, entry, "nurbs");
-    const Keys keys{"degree", "knots", "control", "weights"};
-    if (!expect_mapping(reading, node, "'nurbs'", keys)) return std::nullopt;
+    if (!expect_mapping(reading, node, "'nurbs'", "nurbs_surface")) return std::nullopt;
     if (!require_parts(reading, node)) return std::nullopt;
     const auto degrees = read_degrees(reading, *find(reading, node, "degree"));
     auto knots = read_surface_knots(reading, *find(reading, node, "knots"));

@@ -32,17 +32,18 @@ bool read_plot3d(Reading& reading, const YamlNode& node, GridOutput& output) {
     if (!node.is_mapping()) {
         return read_path(reading, node, "'plot3d'", GridFormat::plot3d, plot3d_endings(), output);
     }
-    if (!expect_mapping(reading, node, "'plot3d'", {"file", "form", "byte_order"})) return false;
+    if (!expect_mapping(reading, node, "'plot3d'", "plot3d_output")) return false;
     const YamlNode* file = require(reading, node, "file", "'plot3d'");
     const bool named = file != nullptr && read_path(reading, *file, "'file'", GridFormat::plot3d,
                                                     plot3d_endings(), output);
     if (const YamlNode* form = find(reading, node, "form")) {
         const auto choice =
-            read_choice(reading, *form, "'form'", {"text", "unformatted", "stream"});
+            read_choice(reading, *form, "'form'", words_of("plot3d_output", "form"));
         if (choice) output.form = static_cast<Plot3dForm>(*choice);
     }
     if (const YamlNode* order = find(reading, node, "byte_order")) {
-        const auto choice = read_choice(reading, *order, "'byte_order'", {"little", "big"});
+        const auto choice =
+            read_choice(reading, *order, "'byte_order'", words_of("plot3d_output", "byte_order"));
         if (choice) output.byte_order = static_cast<ByteOrder>(*choice);
     }
     return named;
@@ -53,7 +54,7 @@ bool read_plot3d(Reading& reading, const YamlNode& node, GridOutput& output) {
 std::vector<GridOutput> read_output(Reading& reading, const YamlNode* section) {
     std::vector<GridOutput> outputs;
     if (section == nullptr) return outputs;
-    expect_mapping(reading, *section, "'output'", {"cgns", "plot3d", "vtk", "openfoam"});
+    expect_mapping(reading, *section, "'output'", "output");
     GridOutput output;
     if (const YamlNode* cgns = find(reading, *section, "cgns")) {
         if (read_path(reading, *cgns, "'cgns'", GridFormat::cgns, ".cgns", output)) {

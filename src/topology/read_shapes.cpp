@@ -68,7 +68,7 @@ std::optional<Value> read_required(Reading& reading, const YamlNode& node, std::
 }
 
 MaybeCurve read_circle(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'circle'", {"center", "radius", "normal"})) return {};
+    if (!expect_mapping(reading, node, "'circle'", "circle")) return {};
     const auto center = read_required<Vec3>(reading, node, "center", "'circle'", read_point);
     const auto radius = read_required<double>(reading, node, "radius", "'circle'", read_positive);
     const auto axes = read_plane(reading, node);
@@ -77,7 +77,7 @@ MaybeCurve read_circle(Reading& reading, const YamlNode& node) {
 }
 
 MaybeCurve read_arc_through(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'arc' with 'through'", {"through"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'arc' with 'through'", "arc_through")) return std::nullopt;
     const YamlNode& through = *find(reading, node, "through");
     if (!expect_list(reading, through, "'through'", 3)) return std::nullopt;
     const auto points = read_points(reading, through, "'through'");
@@ -87,8 +87,7 @@ MaybeCurve read_arc_through(Reading& reading, const YamlNode& node) {
 
 MaybeCurve read_arc(Reading& reading, const YamlNode& node) {
     if (find(reading, node, "through") != nullptr) return read_arc_through(reading, node);
-    const Keys keys{"center", "radius", "from", "to", "normal", "through"};
-    if (!expect_mapping(reading, node, "'arc'", keys)) return std::nullopt;
+    if (!expect_mapping(reading, node, "'arc'", {"arc", "arc_through"})) return std::nullopt;
     const auto center = read_required<Vec3>(reading, node, "center", "'arc'", read_point);
     const auto radius = read_required<double>(reading, node, "radius", "'arc'", read_positive);
     const auto from = read_required<double>(reading, node, "from", "'arc'", read_number);
@@ -110,8 +109,7 @@ MaybeCurve read_arc(Reading& reading, const YamlNode& node) {
 }
 
 MaybeCurve read_ellipse(Reading& reading, const YamlNode& node) {
-    const Keys keys{"center", "semi_axes", "angle", "normal"};
-    if (!expect_mapping(reading, node, "'ellipse'", keys)) return std::nullopt;
+    if (!expect_mapping(reading, node, "'ellipse'", "ellipse")) return std::nullopt;
     const auto center = read_required<Vec3>(reading, node, "center", "'ellipse'", read_point);
     const YamlNode* axes = require(reading, node, "semi_axes", "'ellipse'");
     std::optional<double> a;
@@ -127,14 +125,13 @@ MaybeCurve read_ellipse(Reading& reading, const YamlNode& node) {
     return ellipse(*center, *a, *b, *angle, *plane);
 }
 
-const Keys side_names{"upper", "lower", "whole"};
 constexpr std::array<AirfoilSide, 3> sides{AirfoilSide::upper, AirfoilSide::lower,
                                            AirfoilSide::whole};
 
 std::optional<AirfoilSide> read_side(Reading& reading, const YamlNode& entry) {
     const YamlNode* side = find(reading, entry, "side");
     if (side == nullptr) return AirfoilSide::whole;
-    const auto choice = read_choice(reading, *side, "'side'", side_names);
+    const auto choice = read_choice(reading, *side, "'side'", words_of("curve_naca", "side"));
     return choice ? std::optional(sides.at(*choice)) : std::nullopt;
 }
 
@@ -145,9 +142,9 @@ MaybeCurve read_naca(Reading& reading, const YamlNode& entry) {
     const auto chord = length == nullptr ? 1.0 : read_positive(reading, *length, "'chord'");
     const auto side = read_side(reading, entry);
     const YamlNode* edge = find(reading, entry, "trailing_edge");
-    const auto blunt = edge == nullptr
-                           ? std::optional<std::size_t>(0)
-                           : read_choice(reading, *edge, "'trailing_edge'", {"sharp", "blunt"});
+    const auto blunt = edge == nullptr ? std::optional<std::size_t>(0)
+                                       : read_choice(reading, *edge, "'trailing_edge'",
+                                                     words_of("curve_naca", "trailing_edge"));
     if (!digits || !chord || !side || !blunt) return std::nullopt;
     const TrailingEdge trailing = *blunt == 0 ? TrailingEdge::sharp : TrailingEdge::blunt;
     return accept(reading, code, naca_airfoil(*digits, *chord, *side, trailing));
@@ -232,7 +229,7 @@ MaybeCurve read_formula_curve(Reading& reading, const YamlNode& entry) {
 std::optional<std::vector<Vec3>> read_points(Reading& reading, const YamlNode& node,
                                              const std::string& what) {
     if (node.is_mapping()) {
-        if (!expect_mapping(reading, node, what, {"file"})) return std::nullopt;
+        if (!expect_mapping(reading, node, what, "point_file")) return std::nullopt;
         const YamlNode* file = require(reading, node, "file", what);
         if (file == nullptr) return std::nullopt;
         return read_point_file(reading, *file, "'file'");
@@ -249,25 +246,19 @@ std::optional<std::vector<Vec3>> read_points(Reading& reading, const YamlNode& n
 
 const std::vector<CurveFamily>& curve_families() {
     static const std::vector<CurveFamily> list{
-        {"line", {}, [](Reading& r, const YamlNode& e) { return read_line(r, *e.find("line")); }},
+        {"line", [](Reading& r, const YamlNode& e) { return read_line(r, *e.find("line")); }},
         {"polyline",
-         {},
          [](Reading& r, const YamlNode& e) { return read_polyline(r, *e.find("polyline")); }},
-        {"spline",
-         {},
-         [](Reading& r, const YamlNode& e) { return read_spline(r, *e.find("spline")); }},
-        {"circle",
-         {},
-         [](Reading& r, const YamlNode& e) { return read_circle(r, *e.find("circle")); }},
-        {"arc", {}, [](Reading& r, const YamlNode& e) { return read_arc(r, *e.find("arc")); }},
+        {"spline", [](Reading& r, const YamlNode& e) { return read_spline(r, *e.find("spline")); }},
+        {"circle", [](Reading& r, const YamlNode& e) { return read_circle(r, *e.find("circle")); }},
+        {"arc", [](Reading& r, const YamlNode& e) { return read_arc(r, *e.find("arc")); }},
         {"ellipse",
-         {},
          [](Reading& r, const YamlNode& e) { return read_ellipse(r, *e.find("ellipse")); }},
-        {"naca", {"chord", "side", "trailing_edge"}, read_naca},
-        {"airfoil", {"chord", "side", "close_trailing_edge", "symmetric_half"}, read_airfoil_curve},
-        {"formula", {"range"}, read_formula_curve},
-        {"nurbs", {}, read_nurbs_curve},
-        {"cad", cad_curve_keys(), read_cad_curve},
+        {"naca", read_naca},
+        {"airfoil", read_airfoil_curve},
+        {"formula", read_formula_curve},
+        {"nurbs", read_nurbs_curve},
+        {"cad", read_cad_curve},
     };
     return list;
 }

@@ -14,10 +14,9 @@ namespace hexweave {
 
 using MaybeCurve = std::optional<Curve>;
 
-/// A family: its key, the keys that may stand beside it, and how an entry that has its key is read.
+/// A family: its key, and how an entry that has its key is read; `curve_KEY` in the format's table.
 struct CurveFamily {
     std::string_view key;
-    Keys further;
     MaybeCurve (*read)(Reading& reading, const YamlNode& entry);
 };
 

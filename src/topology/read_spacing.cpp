@@ -181,7 +181,7 @@ std::optional<SpacingEntry> read_geometric(Reading& reading, const YamlNode& nod
 }
 
 std::optional<SpacingEntry> read_law(Reading& reading, const YamlNode& node) {
-    const Keys laws{"tanh", "geometric", "uniform"};
+    const Keys& laws = words_of("spacing", "law");
     const YamlNode* named = find(reading, node, "law");
     const auto law = named == nullptr ? std::optional<std::size_t>(0)
                                       : read_choice(reading, *named, "'law'", laws);
@@ -214,9 +214,8 @@ std::optional<SpacingEntry> read_spacing(Reading& reading, const YamlNode& node)
             "write {start: SIZE, end: SIZE} or {like: EDGE}");
         return std::nullopt;
     }
-    const Keys keys{"start", "end",  "natural",   "within",    "law",
-                    "ratio", "like", "positions", "parameters"};
-    expect_mapping(reading, node, "'spacing'", keys,
+    expect_mapping(reading, node, "'spacing'",
+                   {"spacing", "spacing_like", "spacing_positions", "spacing_parameters"},
                    {{"heights", "'heights' are not in this version yet",
                      "give 'start', 'end', or 'positions' as fractions"}});
     for (const std::string_view key : {"like", "positions", "parameters"}) {

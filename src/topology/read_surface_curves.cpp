@@ -74,7 +74,7 @@ MaybeCurve read_line_of_equal(Reading& reading, const YamlNode& entry, const Sur
 }
 
 MaybeCurve read_side_of(Reading& reading, const YamlNode& node, const Surface& surface) {
-    const auto side = read_choice(reading, node, "'side'", {"umin", "umax", "vmin", "vmax"});
+    const auto side = read_choice(reading, node, "'side'", words_of("curve_of_side", "side"));
     if (!side) return std::nullopt;
     const Parameter u = parameter_u(surface);
     const Parameter v = parameter_v(surface);
@@ -152,11 +152,6 @@ bool has_length(const Curve& curve) {
 }
 
 }  // namespace
-
-const Keys& surface_curve_keys() {
-    static const Keys keys{"u", "v", "side", "line", "points", "corner"};
-    return keys;
-}
 
 MaybeCurve read_surface_curve(Shapes& shapes, const YamlNode& entry) {
     Reading& reading = shapes.reading;

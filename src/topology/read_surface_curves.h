@@ -7,9 +7,6 @@
 
 namespace hexweave {
 
-/// The keys of a curve's entry that say where on its `surface` it lies.
-const Keys& surface_curve_keys();
-
 /// The curve of an entry that has a `surface`: a line of equal u or v, a side, the image of a
 /// straight line of the parameters, or a curve through points.
 MaybeCurve read_surface_curve(Shapes& shapes, const YamlNode& entry);

@@ -40,7 +40,7 @@ std::optional<Range> read_part(Reading& reading, const YamlNode& node, const std
 }
 
 std::optional<Surface> read_range(Reading& reading, const YamlNode& node, const Surface& surface) {
-    if (!expect_mapping(reading, node, "'range'", {"u", "v"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'range'", "surface_range")) return std::nullopt;
     const auto u = read_part(reading, node, "u", surface.range_u, surface.closed_u);
     const auto v = read_part(reading, node, "v", surface.range_v, surface.closed_v);
     return u && v ? std::optional(surface_part(surface, *u, *v)) : std::nullopt;
@@ -55,17 +55,13 @@ struct Backwards {
 std::optional<Backwards> read_reverse(Reading& reading, const YamlNode& entry) {
     const YamlNode* node = find(reading, entry, "reverse");
     if (node == nullptr) return Backwards();
-    const auto choice = read_choice(reading, *node, "'reverse'", {"u", "v", "uv"});
+    const auto choice =
+        read_choice(reading, *node, "'reverse'", words_of("any_surface", "reverse"));
     if (!choice) return std::nullopt;
     return Backwards{*choice != 1, *choice != 0};
 }
 
 }  // namespace
-
-const Keys& surface_parameter_keys() {
-    static const Keys keys{"range", "swap", "reverse"};
-    return keys;
-}
 
 std::optional<double> read_parameter(Reading& reading, const YamlNode& node,
                                      const std::string& name, const Range& range, bool closed) {

@@ -11,9 +11,6 @@
 
 namespace hexweave {
 
-/// The keys of a surface's entry that change its parameters.
-const Keys& surface_parameter_keys();
-
 /// The surface with the parameters that its entry asks for: `range` first, then `swap`, then
 /// `reverse` of the parameters that come out. Nothing after an error.
 std::optional<Surface> with_parameters(Reading& reading, const YamlNode& entry, Surface surface);

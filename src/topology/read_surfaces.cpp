@@ -28,7 +28,6 @@ using MaybeSurface = std::optional<Surface>;
 
 struct SurfaceFamily {
     std::string_view key;
-    Keys further;  ///< keys that may stand beside it
     MaybeSurface (*read)(Reading& reading, const YamlNode& entry, Shapes& shapes);
 };
 
@@ -113,7 +112,7 @@ MaybeSurface read_formula_surface(Reading& reading, const YamlNode& entry, Shape
 
 MaybeSurface read_plane_surface(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "plane");
-    if (!expect_mapping(reading, node, "'plane'", {"point", "u", "v"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'plane'", "plane")) return std::nullopt;
     const auto point = require_point(reading, node, "point", "'plane'");
     const auto u = read_direction(reading, node, "u", "'plane'");
     const auto v = read_direction(reading, node, "v", "'plane'");
@@ -123,7 +122,7 @@ MaybeSurface read_plane_surface(Reading& reading, const YamlNode& entry, Shapes&
 
 MaybeSurface read_sphere(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "sphere");
-    if (!expect_mapping(reading, node, "'sphere'", {"center", "radius", "axis"})) return {};
+    if (!expect_mapping(reading, node, "'sphere'", "sphere")) return {};
     const auto center = require_point(reading, node, "center", "'sphere'");
     const YamlNode* length = require(reading, node, "radius", "'sphere'");
     const auto radius =
@@ -149,7 +148,7 @@ std::optional<std::array<Vec3, 2>> read_axis_ends(Reading& reading, const YamlNo
 
 MaybeSurface read_cylinder(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "cylinder");
-    if (!expect_mapping(reading, node, "'cylinder'", {"from", "to", "radius"})) return {};
+    if (!expect_mapping(reading, node, "'cylinder'", "cylinder")) return {};
     const auto ends = read_axis_ends(reading, node, "'cylinder'");
     const YamlNode* length = require(reading, node, "radius", "'cylinder'");
     const auto radius =
@@ -160,7 +159,7 @@ MaybeSurface read_cylinder(Reading& reading, const YamlNode& entry, Shapes&) {
 
 MaybeSurface read_cone(Reading& reading, const YamlNode& entry, Shapes&) {
     const YamlNode& node = *find(reading, entry, "cone");
-    if (!expect_mapping(reading, node, "'cone'", {"from", "to", "radii"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'cone'", "cone")) return std::nullopt;
     const auto ends = read_axis_ends(reading, node, "'cone'");
     const YamlNode* radii = require(reading, node, "radii", "'cone'");
     if (radii == nullptr || !expect_list(reading, *radii, "'radii'", 2)) return std::nullopt;
@@ -183,8 +182,7 @@ MaybeSurface read_ruled(Reading& reading, const YamlNode& entry, Shapes& shapes)
 
 MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Shapes& shapes) {
     const YamlNode& node = *find(reading, entry, "revolution");
-    const Keys keys{"curve", "axis", "center", "angle"};
-    if (!expect_mapping(reading, node, "'revolution'", keys)) return std::nullopt;
+    if (!expect_mapping(reading, node, "'revolution'", "revolution")) return std::nullopt;
     const YamlNode* name = require(reading, node, "curve", "'revolution'");
     const auto curve = name == nullptr ? nullptr : use_curve(shapes, *name, "'curve'");
     const auto axis = read_direction(reading, node, "axis", "'revolution'");
@@ -208,7 +206,7 @@ MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Shapes& sh
 
 MaybeSurface read_extrusion(Reading& reading, const YamlNode& entry, Shapes& shapes) {
     const YamlNode& node = *find(reading, entry, "extrusion");
-    if (!expect_mapping(reading, node, "'extrusion'", {"curve", "along"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'extrusion'", "extrusion")) return std::nullopt;
     const YamlNode* name = require(reading, node, "curve", "'extrusion'");
     const YamlNode* way = require(reading, node, "along", "'extrusion'");
     const auto curve = name == nullptr ? nullptr : use_curve(shapes, *name, "'curve'");
@@ -229,23 +227,19 @@ MaybeSurface read_other_surface(Reading& reading, const YamlNode& entry, Shapes&
 
 const std::vector<SurfaceFamily>& surface_families() {
     static const std::vector<SurfaceFamily> list{
-        {"formula", {"u", "v"}, read_formula_surface},
-        {"plane", {}, read_plane_surface},
-        {"sphere", {}, read_sphere},
-        {"cylinder", {}, read_cylinder},
-        {"cone", {}, read_cone},
-        {"ruled", {}, read_ruled},
-        {"revolution", {}, read_revolution},
-        {"extrusion", {}, read_extrusion},
-        {"nurbs",
-         {},
-         [](Reading& r, const YamlNode& e, Shapes&) { return read_nurbs_surface(r, e); }},
+        {"formula", read_formula_surface},
+        {"plane", read_plane_surface},
+        {"sphere", read_sphere},
+        {"cylinder", read_cylinder},
+        {"cone", read_cone},
+        {"ruled", read_ruled},
+        {"revolution", read_revolution},
+        {"extrusion", read_extrusion},
+        {"nurbs", [](Reading& r, const YamlNode& e, Shapes&) { return read_nurbs_surface(r, e); }},
         {"control_points",
-         {},
          [](Reading& r, const YamlNode& e, Shapes&) { return read_control_points(r, e); }},
-        {"cad", cad_surface_keys(),
-         [](Reading& r, const YamlNode& e, Shapes&) { return read_cad_surface(r, e); }},
-        {"of", {}, read_other_surface},
+        {"cad", [](Reading& r, const YamlNode& e, Shapes&) { return read_cad_surface(r, e); }},
+        {"of", read_other_surface},
     };
     return list;
 }
@@ -283,12 +277,7 @@ std::shared_ptr<const Surface> read_surface(Shapes& shapes, const YamlNode& entr
     const SurfaceFamily& family =
         *std::find_if(surface_families().begin(), surface_families().end(),
                       [&](const SurfaceFamily& f) { return f.key == key; });
-    Keys keys{family.key};
-    keys.insert(keys.end(), family.further.begin(), family.further.end());
-    for (const Keys& more : {surface_parameter_keys(), transform_keys()}) {
-        keys.insert(keys.end(), more.begin(), more.end());
-    }
-    expect_mapping(reading, entry, what, keys);
+    expect_mapping(reading, entry, what, FormatNames("surface_" + key));
 
     MaybeSurface shape = family.read(reading, entry, shapes);
     if (shape) shape = with_parameters(reading, entry, *shape);

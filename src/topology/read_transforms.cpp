@@ -67,20 +67,13 @@ std::optional<Affine> read_translate(Reading& reading, const YamlNode& holder) {
 
 std::optional<Affine> read_mirror(Reading& reading, const YamlNode& holder) {
     const YamlNode& node = *find(reading, holder, "mirror");
-    if (!expect_mapping(reading, node, "'mirror'", {"normal", "about"})) return std::nullopt;
+    if (!expect_mapping(reading, node, "'mirror'", "mirror")) return std::nullopt;
     const YamlNode* given = require(reading, node, "normal", "'mirror'");
     if (given == nullptr) return std::nullopt;
     const auto normal = read_direction(reading, *given, "'normal'");
     const auto about = read_about(reading, node);
     if (!normal || !about) return std::nullopt;
     return reflection(*about, *normal);
-}
-
-/// The keys that may stand beside a map.
-Keys keys_beside(std::string_view map) {
-    if (map == "scale") return {"about"};
-    if (map == "rotate") return {"axis", "about"};
-    return {};
 }
 
 std::optional<Affine> read_map(Reading& reading, const YamlNode& holder, std::string_view map) {
@@ -111,10 +104,9 @@ std::optional<Affine> read_item(Reading& reading, const YamlNode& item) {
                                   "write [{rotate: pi/2}, {translate: [1, 0]}]");
         return std::nullopt;
     }
-    Keys keys = keys_beside(maps.front()->key);
-    keys.insert(keys.begin(), maps.front()->key);
-    expect_mapping(reading, item, fmt::format("'{}'", maps.front()->key), keys);
-    return read_map(reading, item, maps.front()->key);
+    const std::string& map = maps.front()->key;
+    expect_mapping(reading, item, fmt::format("'{}'", map), FormatNames("transform_" + map));
+    return read_map(reading, item, map);
 }
 
 std::optional<std::vector<Affine>> read_list(Reading& reading, const YamlNode& list) {
@@ -128,8 +120,8 @@ std::optional<std::vector<Affine>> read_list(Reading& reading, const YamlNode& l
 }
 
 /// `about` and `axis` without a map that they belong to.
-bool check_companions(Reading& reading, const YamlNode& entry, std::string_view map) {
-    const Keys allowed = keys_beside(map);
+bool check_companions(Reading& reading, const YamlNode& entry, const std::string& map) {
+    const Keys allowed = map.empty() ? Keys() : keys_of(FormatNames("transform_" + map));
     bool sound = true;
     for (const std::string_view key : {"about", "axis"}) {
         const YamlNode* node = find(reading, entry, key);
@@ -145,11 +137,6 @@ bool check_companions(Reading& reading, const YamlNode& entry, std::string_view 
 
 }  // namespace
 
-const Keys& transform_keys() {
-    static const Keys keys{"transform", "scale", "rotate", "translate", "mirror", "about", "axis"};
-    return keys;
-}
-
 std::optional<std::vector<Affine>> read_transforms(Reading& reading, const YamlNode& entry,
                                                    const std::string& what) {
     const std::vector<const YamlNode*> maps = maps_in(entry);
@@ -160,8 +147,7 @@ std::optional<std::vector<Affine>> read_transforms(Reading& reading, const YamlN
                                   "write transform: [{...}, {...}], applied from left to right");
         return std::nullopt;
     }
-    if (!check_companions(reading, entry,
-                          maps.empty() ? "" : std::string_view(maps.front()->key))) {
+    if (!check_companions(reading, entry, maps.empty() ? "" : maps.front()->key)) {
         return std::nullopt;
     }
     if (list != nullptr) return read_list(reading, *list);

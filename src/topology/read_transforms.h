@@ -11,9 +11,6 @@
 
 namespace hexweave {
 
-/// The keys of transforms that may stand in a curve's entry.
-const Keys& transform_keys();
-
 /// The maps of an entry, in the order in which they apply; nothing after an error. Either the list
 /// `transform:`, or one of its maps directly among the entry's keys.
 std::optional<std::vector<Affine>> read_transforms(Reading& reading, const YamlNode& entry,

@@ -93,7 +93,8 @@ std::string suggestion(const std::string& name, const Keys& known, std::string_v
 }
 
 bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& what,
-                    const Keys& keys, const std::vector<RefusedKey>& refused) {
+                    const FormatNames& formats, const std::vector<RefusedKey>& refused) {
+    const Keys keys = keys_of(formats);
     if (!node.is_mapping()) {
         reading.diagnostics.error(node.place,
                                   fmt::format("{} must be a mapping, not {}", what, describe(node)),

@@ -16,6 +16,7 @@
 #include "core/vec3.h"
 #include "topology/case.h"
 #include "topology/expressions.h"
+#include "topology/format_table.h"
 #include "topology/source_text.h"
 #include "topology/yaml_tree.h"
 
@@ -49,8 +50,6 @@ struct RefusedKey {
     std::string_view hint;
 };
 
-using Keys = std::vector<std::string_view>;
-
 /// In `what`, below: the words for the value or entry, as in "edge 'wake'" or "'chord'".
 
 /// A list, a mapping, nothing, '...'.
@@ -58,10 +57,10 @@ std::string describe(const YamlNode& node);
 /// The place of a fault inside of a scalar's expression.
 Place place_in(const YamlNode& node, std::size_t offset, std::size_t length);
 
-/// Whether the node is a mapping of legal keys; tells what is not. Unknown keys alone do not make
-/// it false: the known ones are still to be read.
+/// Whether the node is a mapping of keys that the format's table has for one of `formats`; tells
+/// what is not. Unknown keys alone do not make it false: the known ones are still to be read.
 bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& what,
-                    const Keys& keys, const std::vector<RefusedKey>& refused = {});
+                    const FormatNames& formats, const std::vector<RefusedKey>& refused = {});
 /// The value of a key, after expect_mapping; null where it is not there.
 const YamlNode* find(const Reading& reading, const YamlNode& mapping, std::string_view key);
 /// Whether expect_mapping found misspelled keys there.
