@@ -41,7 +41,8 @@ std::vector<double> fractions_of_parameters(const Edge& edge, const std::vector<
 
 /// The fractions of an edge that has a law of its own.
 std::vector<double> own_fractions(const Edge& edge, const ArcLengthTable& table) {
-    std::vector<double> positions = law_fractions(edge.law, edge.cells, table.length());
+    std::vector<double> positions =
+        law_fractions(edge.law, edge.cells / edge.refinement, table.length(), edge.refinement);
     const auto* stated = std::get_if<ExplicitLaw>(&edge.law);
     if (stated && stated->of_parameter) return fractions_of_parameters(edge, positions, table);
     return positions;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/every_nth.h"
 #include "core/parallel.h"
 #include "elliptic/fold_count.h"
 #include "faces/wall_heights.h"
@@ -41,8 +42,9 @@ struct WallFrame {
     }
 };
 
-double height_at(const PointField& points, const WallFrame& wall, int a, int b) {
-    return distance(points[wall.offset(a, b, 0)], points[wall.offset(a, b, 1)]);
+/// Of node n off the wall.
+double height_at(const PointField& points, const WallFrame& wall, int a, int b, int n) {
+    return distance(points[wall.offset(a, b, 0)], points[wall.offset(a, b, n)]);
 }
 
 /// Distances along the wall's own grid lines, from the end at index 0, node by node.
@@ -85,11 +87,13 @@ double nearness(double distance, double fade) {
 /// The heights to aim at: as asked, but as they are on the neighbouring sides, which are fixed, and
 /// from the one to the other within the fade distance: a Boolean sum of the logarithms.
 Field targets(const PointField& points, const WallFrame& wall, const WallLengths& lengths,
-              const Field& asked, double fade) {
+              const HeldSide& held) {
+    const Field& asked = held.asked;
+    const double fade = held.fade;
     const int last_a = wall.count_a - 1;
     const int last_b = wall.count_b - 1;
     const auto excess = [&](int a, int b) {
-        const double height = height_at(points, wall, a, b);
+        const double height = height_at(points, wall, a, b, held.first);
         return height > 0 ? std::log(height / asked(a, b)) : 0;  // none at a pole
     };
     Field result(wall.nodes());
@@ -121,14 +125,15 @@ struct MovableLine {
     int b = 0;
     std::vector<Vec3> points;
     std::vector<double> distances;
+    std::size_t first = 1;  ///< the point that is at the held height
     double fade = 0;
     double log_factor = 0;
     double part = 0;  ///< of log_factor that is applied
 };
 
 MovableLine movable_line(const PointField& points, const WallFrame& wall, int a, int b,
-                         double target, double asked_fade, double growth) {
-    MovableLine line{a, b, {}, {}, 0, 0, 0};
+                         double target, double asked_fade, const HeldHeights& request) {
+    MovableLine line{a, b, {}, {}, static_cast<std::size_t>(request.first), 0, 0, 0};
     line.points.reserve(static_cast<std::size_t>(wall.depth()));
     for (int n = 0; n < wall.depth(); ++n) line.points.push_back(points[wall.offset(a, b, n)]);
     line.distances = distances_along(line.points);
@@ -136,17 +141,19 @@ MovableLine movable_line(const PointField& points, const WallFrame& wall, int a,
     const auto beyond = std::lower_bound(line.distances.begin(), line.distances.end(), line.fade);
     const auto kept = std::min<std::size_t>(
         line.points.size(), static_cast<std::size_t>(beyond - line.distances.begin()) + 2);
+    line.log_factor = std::log(target / line.distances[line.first]);
     line.points.resize(kept);
     line.points.shrink_to_fit();
     line.distances.resize(kept);
-    line.log_factor = std::log(target / line.distances[1]);
-    line.part = feasible_part(line.distances, line.log_factor, line.fade, growth);
+    line.part =
+        feasible_part(line.distances, line.log_factor, line.fade, request.growth, line.first);
     return line;
 }
 
 void move_line(PointField& points, const WallFrame& wall, const MovableLine& line) {
     const double log_factor = line.part * line.log_factor;
-    std::vector<double> wanted = scaled_distances(line.distances, log_factor, line.fade);
+    std::vector<double> wanted =
+        scaled_distances(line.distances, log_factor, line.fade, line.first);
     const auto beyond = std::lower_bound(line.distances.begin(), line.distances.end(), line.fade);
     const auto moved = static_cast<std::size_t>(beyond - line.distances.begin());
     wanted.resize(moved);
@@ -189,42 +196,65 @@ std::set<Node> cells_of(const std::vector<FoldedCell>& folded) {
     return cells;
 }
 
-}  // namespace
-
-Field asked_heights(const PointField& points, Side side, const std::optional<double>& height) {
-    const WallFrame wall(points.extent(), side);
-    if (height) return Field(wall.nodes(), *height);
+/// Heights at the corners of a wall, height_of(a, b), and between them by equal factors over equal
+/// parts of its arc lengths.
+template <class HeightOf>
+Field between_corners(const PointField& points, const WallFrame& wall, HeightOf&& height_of) {
     const WallLengths lengths(points, wall);
     const int last_a = wall.count_a - 1;
     const int last_b = wall.count_b - 1;
-    const std::array<double, 4> heights{
-        height_at(points, wall, 0, 0), height_at(points, wall, last_a, 0),
-        height_at(points, wall, 0, last_b), height_at(points, wall, last_a, last_b)};
+    const std::array<double, 4> heights{height_of(0, 0), height_of(last_a, 0), height_of(0, last_b),
+                                        height_of(last_a, last_b)};
     // At a pole there is no height: the greatest of the others stands for it.
     const double greatest = *std::max_element(heights.begin(), heights.end());
     std::array<double, 4> corners{};
     for (std::size_t c = 0; c < 4; ++c) {
         corners[c] = std::log(heights[c] > 0 ? heights[c] : greatest);
     }
-    Field asked(wall.nodes());
+    Field between(wall.nodes());
     for (int b = 0; b < wall.count_b; ++b) {
         for (int a = 0; a < wall.count_a; ++a) {
             const double s = lengths.along_a(a, b) / lengths.along_a(last_a, b);
             const double t =
                 wall.is_line() ? 0.0 : lengths.along_b(a, b) / lengths.along_b(a, last_b);
-            asked(a, b) = std::exp((1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
-                                   t * ((1 - s) * corners[2] + s * corners[3]));
+            between(a, b) = std::exp((1 - t) * ((1 - s) * corners[0] + s * corners[1]) +
+                                     t * ((1 - s) * corners[2] + s * corners[3]));
         }
     }
-    return asked;
+    return between;
+}
+
+}  // namespace
+
+Field asked_heights(const PointField& points, Side side, const std::optional<double>& height,
+                    int first) {
+    const WallFrame wall(points.extent(), side);
+    if (height) return Field(wall.nodes(), *height);
+    return between_corners(points, wall,
+                           [&](int a, int b) { return height_at(points, wall, a, b, first); });
+}
+
+HeldSide every_nth(const PointField& points, const HeldSide& held, int stride) {
+    const WallFrame wall(points.extent(), held.side);
+    Field asked = held.asked;
+    if (stride != held.first) {
+        asked = between_corners(points, wall, [&](int a, int b) {
+            const double height = height_at(points, wall, a, b, stride);
+            const double at_first = height_at(points, wall, a, b, held.first);
+            if (!held.height) return height;
+            return at_first > 0 ? *held.height * height / at_first : 0.0;
+        });
+    }
+    return {held.side, held.fade, every_nth(asked, stride)};
 }
 
 HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request) {
     const WallFrame wall(points.extent(), side);
     const WallLengths lengths(points, wall);
     HeldSide held{side, request.fade * lengths.shorter,
-                  asked_heights(points, side, request.height)};
-    const Field target = targets(points, wall, lengths, held.asked, held.fade);
+                  asked_heights(points, side, request.height, request.first), request.height,
+                  request.first};
+    const Field target = targets(points, wall, lengths, held);
     std::vector<std::array<int, 2>> inner;
     for (int b = 0; b < wall.count_b; ++b) {
         for (int a = 0; a < wall.count_a; ++a) {
@@ -235,7 +265,7 @@ HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request)
     std::vector<MovableLine> lines(inner.size());
     parallel_for(inner.size(), [&](std::size_t n) {
         const auto [a, b] = inner[n];
-        lines[n] = movable_line(points, wall, a, b, target(a, b), held.fade, request.growth);
+        lines[n] = movable_line(points, wall, a, b, target(a, b), held.fade, request);
         move_line(points, wall, lines[n]);
     });
     take_back_folds(points, wall, lines, before);
@@ -257,7 +287,7 @@ std::vector<double> height_ratios(const PointField& points, const HeldSide& held
     ratios.reserve(wall.nodes().nodes());
     for (int b = 0; b < wall.count_b; ++b) {
         for (int a = 0; a < wall.count_a; ++a) {
-            ratios.push_back(height_at(points, wall, a, b) / held.asked(a, b));
+            ratios.push_back(height_at(points, wall, a, b, held.first) / held.asked(a, b));
         }
     }
     std::sort(ratios.begin(), ratios.end());

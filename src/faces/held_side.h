@@ -17,12 +17,20 @@ struct HeldSide {
     Side side = Side::jmin;
     double fade = 0;  ///< the distance from the side at which points stay as they are
     Field asked;
+    std::optional<double> height{};  ///< asked everywhere; that of the edges where absent
+    int first = 1;                   ///< the node off the side whose height is meant
 };
 
-/// The heights asked at a side: everywhere the given one; or else, from the first cells of the
-/// lines that leave the side's corners (the edges of the face or block), interpolated linearly in
-/// the logarithm of the height over the side's normalized arc lengths.
-Field asked_heights(const PointField& points, Side side, const std::optional<double>& height);
+/// The heights asked of node `first` off a side: everywhere the given one; or else, from those on
+/// the lines that leave the side's corners (the edges of the face or block), interpolated linearly
+/// in the logarithm of the height over the side's normalized arc lengths.
+Field asked_heights(const PointField& points, Side side, const std::optional<double>& height,
+                    int first = 1);
+
+/// What is asked of the grid of every `stride`-th point of these. A height that is given is that of
+/// node `held.first`; node `stride` is asked that times the ratio of the two heights on the lines
+/// that leave the corners, as their laws say, interpolated likewise.
+HeldSide every_nth(const PointField& points, const HeldSide& held, int stride);
 
 /// Moves interior points of a face or block along the grid lines that leave `side`. Boundary points
 /// stay: where the first cell on one of the neighbouring sides is not as asked, lines beside it

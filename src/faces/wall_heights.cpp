@@ -56,13 +56,15 @@ std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<d
 }
 
 double feasible_part(const std::vector<double>& distances, double log_factor, double fade,
-                     double growth) {
+                     double growth, std::size_t first) {
     constexpr double margin = 1.25;  // on the growth of a line that is beyond the bound already
     const double allowed = std::max(growth, 1 + margin * (greatest_growth(distances) - 1));
     const auto allows = [&](double part) {
-        return greatest_growth(scaled_distances(distances, part * log_factor, fade)) <= allowed;
+        return greatest_growth(scaled_distances(distances, part * log_factor, fade, first)) <=
+               allowed;
     };
-    if (!std::isfinite(log_factor) || distances.size() < 2 || distances[1] >= fade) return 0;
+    if (!std::isfinite(log_factor) || distances.size() <= first || distances[first] >= fade)
+        return 0;
     if (allows(1)) return 1;
     constexpr int halvings = 30;
     double low = 0;

@@ -3,6 +3,7 @@
 // the line, by the asked over the present height at the wall and fading to nothing farther out.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/vec3.h"
@@ -22,8 +23,9 @@ std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<d
 
 /// The part, 0 to 1, of `log_factor` that can be had such that scaled_distances ascend and do not
 /// grow faster than `growth` - or, where they grow nearly as fast already, by a quarter more.
+/// `first` as for scaled_distances.
 double feasible_part(const std::vector<double>& distances, double log_factor, double fade,
-                     double growth);
+                     double growth, std::size_t first = 1);
 
 /// How far a face or block may be moved in one line: half of it at most, so that lines between two
 /// walls obey both.

@@ -13,13 +13,30 @@ namespace hexweave {
 
 namespace {
 
-/// Fractions from a function of the index; the ends are exact.
+/// The cells that a function is determined with, and the intervals that each is divided into.
+struct Cells {
+    int count = 1;
+    int refinement = 1;
+
+    int intervals() const { return count * refinement; }
+    /// In cells, at the end of so many intervals.
+    double index(int interval) const { return static_cast<double>(interval) / refinement; }
+};
+
+/// Fractions from a function of the index in cells, which need not be whole; the ends are exact.
 template <class Function>
-std::vector<double> tabulate(int cells, Function&& fraction) {
-    std::vector<double> fractions(static_cast<std::size_t>(cells) + 1);
-    for (int i = 1; i < cells; ++i) fractions[static_cast<std::size_t>(i)] = fraction(i);
+std::vector<double> tabulate(const Cells& cells, Function&& fraction) {
+    const int intervals = cells.intervals();
+    std::vector<double> fractions(static_cast<std::size_t>(intervals) + 1);
+    for (int i = 1; i < intervals; ++i) {
+        fractions[static_cast<std::size_t>(i)] = fraction(cells.index(i));
+    }
     fractions.back() = 1;
     return fractions;
+}
+
+std::vector<double> uniform(const Cells& cells) {
+    return tabulate(cells, [&](double i) { return i / cells.count; });
 }
 
 /// The two families that Vinokur's functions switch between: hyperbolic for small cells, circular
@@ -59,7 +76,8 @@ Stretch find_stretch(Function&& value, double plain, double wanted, double hyper
 /// odds of s are those of u divided by A, and those of u at i of n cells are
 /// sinh(i a) / sinh((n - i) a). The first and last cells then fix A, and one equation is left for
 /// a.
-std::vector<double> two_sided_tanh(int cells, double first, double last) {
+std::vector<double> two_sided_tanh(const Cells& all, double first, double last) {
+    const int cells = all.count;
     const double first_odds = first / (1 - first);
     const double last_odds = last / (1 - last);
     const double a = std::sqrt(last_odds / first_odds);
@@ -69,7 +87,7 @@ std::vector<double> two_sided_tanh(int cells, double first, double last) {
     };
     const Stretch stretch = find_stretch(value, 1.0 / (cells - 1), odds,
                                          -std::log(odds) / (cells - 2), std::numbers::pi / cells);
-    return tabulate(cells, [&](int i) {
+    return tabulate(all, [&](double i) {
         const double from_start = stretch.step > 0 ? sine(stretch.branch, i * stretch.step) : i;
         const double from_end =
             stretch.step > 0 ? sine(stretch.branch, (cells - i) * stretch.step) : cells - i;
@@ -78,8 +96,9 @@ std::vector<double> two_sided_tanh(int cells, double first, double last) {
 }
 
 /// One half of the symmetric function, from the small end.
-std::vector<double> one_sided_tanh(int cells, double first) {
-    const auto value_at = [&](Branch branch, double step, int i) {
+std::vector<double> one_sided_tanh(const Cells& all, double first) {
+    const int cells = all.count;
+    const auto value_at = [&](Branch branch, double step, double i) {
         return sine(branch, i * step) /
                (sine(branch, cells * step) * cosine(branch, (cells - i) * step));
     };
@@ -87,17 +106,19 @@ std::vector<double> one_sided_tanh(int cells, double first) {
     const Stretch stretch =
         find_stretch(value, 1.0 / cells, first, std::log(2 / first) / (2 * (cells - 1)),
                      std::numbers::pi / (2 * cells));
-    if (stretch.step == 0) return uniform_fractions(cells);
-    return tabulate(cells, [&](int i) { return value_at(stretch.branch, stretch.step, i); });
+    if (stretch.step == 0) return uniform(all);
+    return tabulate(all, [&](double i) { return value_at(stretch.branch, stretch.step, i); });
 }
 
-std::vector<double> geometric_by_log_ratio(int cells, double log_ratio) {
-    if (log_ratio == 0) return uniform_fractions(cells);
-    return tabulate(
-        cells, [&](int i) { return std::expm1(i * log_ratio) / std::expm1(cells * log_ratio); });
+std::vector<double> geometric_by_log_ratio(const Cells& cells, double log_ratio) {
+    if (log_ratio == 0) return uniform(cells);
+    return tabulate(cells, [&](double i) {
+        return std::expm1(i * log_ratio) / std::expm1(cells.count * log_ratio);
+    });
 }
 
-std::vector<double> geometric_from_first(int cells, double first) {
+std::vector<double> geometric_from_first(const Cells& all, double first) {
+    const int cells = all.count;
     const auto mismatch = [&](double log_ratio) {
         const double cells_of_first_size =
             log_ratio == 0 ? cells : std::expm1(cells * log_ratio) / std::expm1(log_ratio);
@@ -105,7 +126,7 @@ std::vector<double> geometric_from_first(int cells, double first) {
     };
     const double low = std::log1p(-first);               // endlessly many cells fill the length
     const double high = -std::log(first) / (cells - 1);  // the last cell alone fills it
-    return geometric_by_log_ratio(cells, bracketed_root(mismatch, low, high));
+    return geometric_by_log_ratio(all, bracketed_root(mismatch, low, high));
 }
 
 /// Cells that change from both ends inwards by exp(rate) a cell: of the two progressions the
@@ -119,6 +140,12 @@ public:
         const double from_start = first_ * std::exp(i * rate);
         const double from_end = last_ * std::exp((cells_ - 1 - i) * rate);
         return grows_ ? std::min(from_start, from_end) : std::max(from_start, from_end);
+    }
+    /// How much of cell i lies within part t of it: it grows within as the cells do.
+    double part(int i, double rate, double t) const {
+        const bool from_start = cell(i, rate) == first_ * std::exp(i * rate);
+        const double log_ratio = from_start ? rate : -rate;
+        return log_ratio == 0 ? t : std::expm1(t * log_ratio) / std::expm1(log_ratio);
     }
     double sum(double rate) const {
         double total = 0;
@@ -144,51 +171,67 @@ private:
     bool grows_ = true;
 };
 
-std::vector<double> two_sided_geometric(int cells, double first, double last) {
+std::vector<double> two_sided_geometric(const Cells& all, double first, double last) {
+    const int cells = all.count;
     TwoSidedCells progression(cells, first, last);
     const double rate = progression.fitting_rate();
     // Summed from the nearer end, so that both ends keep their digits.
     const int half = cells / 2;
-    std::vector<double> fractions = uniform_fractions(cells);
+    std::vector<double> ends(static_cast<std::size_t>(cells) + 1);
     double from_start = 0;
     for (int i = 1; i <= half; ++i) {
         from_start += progression.cell(i - 1, rate);
-        fractions[static_cast<std::size_t>(i)] = from_start;
+        ends[static_cast<std::size_t>(i)] = from_start;
     }
     double from_end = 0;
+    ends.back() = 1;
     for (int i = cells - 1; i > half; --i) {
         from_end += progression.cell(i, rate);
-        fractions[static_cast<std::size_t>(i)] = 1 - from_end;
+        ends[static_cast<std::size_t>(i)] = 1 - from_end;
     }
-    return fractions;
+    return tabulate(all, [&](double at) {
+        const int cell = static_cast<int>(at);
+        const double begin = ends[static_cast<std::size_t>(cell)];
+        if (at == cell) return begin;
+        const double size = ends[static_cast<std::size_t>(cell) + 1] - begin;
+        return begin + size * progression.part(cell, rate, at - cell);
+    });
+}
+
+/// Two cells of these sizes, which make up the length.
+std::vector<double> two_cells(const Cells& all, double first, double last) {
+    if (all.refinement == 1) return {0, first / (first + last), 1};
+    return geometric_by_log_ratio(all, std::log(last / first));
 }
 
 }  // namespace
 
-std::vector<double> uniform_fractions(int cells) {
-    return tabulate(cells, [&](int i) { return static_cast<double>(i) / cells; });
+std::vector<double> uniform_fractions(int cells, int refinement) {
+    return uniform({cells, refinement});
 }
 
 std::vector<double> tanh_fractions(int cells, const std::optional<double>& first,
-                                   const std::optional<double>& last) {
-    if (cells == 1 || (!first && !last)) return uniform_fractions(cells);
-    if (!last) return one_sided_tanh(cells, *first);
-    if (!first) return reversed_fractions(one_sided_tanh(cells, *last));
-    if (cells == 2) return {0, *first / (*first + *last), 1};
-    return two_sided_tanh(cells, *first, *last);
+                                   const std::optional<double>& last, int refinement) {
+    const Cells all{cells, refinement};
+    if (cells == 1 || (!first && !last)) return uniform(all);
+    if (!last) return one_sided_tanh(all, *first);
+    if (!first) return reversed_fractions(one_sided_tanh(all, *last));
+    if (cells == 2) return two_cells(all, *first, *last);
+    return two_sided_tanh(all, *first, *last);
 }
 
-std::vector<double> geometric_fractions(int cells, double ratio) {
-    return geometric_by_log_ratio(cells, std::log(ratio));
+std::vector<double> ratio_fractions(int cells, double ratio, int refinement) {
+    return geometric_by_log_ratio({cells, refinement}, std::log(ratio));
 }
 
 std::vector<double> geometric_fractions(int cells, const std::optional<double>& first,
-                                        const std::optional<double>& last) {
-    if (cells == 1 || (!first && !last)) return uniform_fractions(cells);
-    if (!last) return geometric_from_first(cells, *first);
-    if (!first) return reversed_fractions(geometric_from_first(cells, *last));
-    if (cells == 2) return {0, *first / (*first + *last), 1};
-    return two_sided_geometric(cells, *first, *last);
+                                        const std::optional<double>& last, int refinement) {
+    const Cells all{cells, refinement};
+    if (cells == 1 || (!first && !last)) return uniform(all);
+    if (!last) return geometric_from_first(all, *first);
+    if (!first) return reversed_fractions(geometric_from_first(all, *last));
+    if (cells == 2) return two_cells(all, *first, *last);
+    return two_sided_geometric(all, *first, *last);
 }
 
 std::vector<double> reversed_fractions(const std::vector<double>& fractions) {

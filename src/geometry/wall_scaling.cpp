@@ -20,12 +20,12 @@ double falling_step(double x) {
 }  // namespace
 
 std::vector<double> scaled_distances(const std::vector<double>& distances, double log_factor,
-                                     double fade) {
+                                     double fade, std::size_t first) {
     std::vector<double> scaled = distances;
-    if (scaled.size() < 2 || scaled[1] >= fade) return scaled;
-    const double scales = std::log(fade / distances[1]);
+    if (scaled.size() <= first || scaled[first] >= fade) return scaled;
+    const double scales = std::log(fade / distances[first]);
     for (std::size_t n = 1; n < scaled.size() && distances[n] < fade; ++n) {
-        const double x = std::log(distances[n] / distances[1]) / scales;
+        const double x = n < first ? 0 : std::log(distances[n] / distances[first]) / scales;
         scaled[n] = distances[n] * std::exp(log_factor * falling_step(x));
     }
     return scaled;
@@ -44,9 +44,11 @@ double greatest_growth(const std::vector<double>& distances) {
 }
 
 std::vector<double> held_tanh_fractions(int cells, double first, double natural, double within,
-                                        bool at_end) {
-    const std::vector<double> law = tanh_fractions(cells, natural, std::nullopt);
-    const std::vector<double> held = scaled_distances(law, std::log(first / law[1]), within);
+                                        bool at_end, int refinement) {
+    const std::vector<double> law = tanh_fractions(cells, natural, std::nullopt, refinement);
+    const auto one_cell = static_cast<std::size_t>(refinement);
+    const std::vector<double> held =
+        scaled_distances(law, std::log(first / law[one_cell]), within, one_cell);
     return at_end ? reversed_fractions(held) : held;
 }
 

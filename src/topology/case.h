@@ -128,6 +128,7 @@ struct EdgeEntry {
     std::optional<Located<AxisPlane>> plane{};  ///< that it is put onto
     std::optional<Located<Vec3>> through;       ///< picks the way on a closed curve
     std::optional<Located<int>> cells;
+    std::optional<Located<int>> multiple_of{};  ///< that its cells are raised to
     std::optional<Located<SpacingEntry>> spacing;
     bool pole = false;  ///< collapsed to the vertex that is both `from` and `to`
 };
@@ -139,6 +140,7 @@ struct HeldHeights {
     std::optional<double> height;  ///< from the edges that leave the side where absent
     double fade = 0.03;            ///< of the side's length: how far from it points are moved
     double growth = 1.3;           ///< ratio of neighbouring cells that may not be exceeded for it
+    int first = 1;                 ///< the node, counted from the side, that is at the height
 };
 using HeightRequests = std::array<std::optional<HeldHeights>, 6>;  ///< indexed by Side
 
@@ -200,6 +202,13 @@ struct SolverEntry {
     std::optional<double> flat_edge_exponent;  ///< of edge functions where two sides meet flat
 };
 
+/// The family of grids that a file describes, coarsest first; its counts are those of `medium`.
+struct LevelsEntry {
+    double factor = 2;
+    std::vector<std::string> names{"coarse", "medium", "fine"};
+    Place place{};  ///< without a file where the file does not say
+};
+
 struct Case {
     std::shared_ptr<const SourceFile> source;
     std::string title;
@@ -214,6 +223,9 @@ struct Case {
     std::vector<BoundaryEntry> boundaries;
     SolverEntry solver;
     std::vector<Gate> gates;
+    LevelsEntry levels;
+    Name level;                               ///< that is to be made; empty where not said
+    std::optional<Located<int>> multiple_of;  ///< that the cells of every edge are raised to
     std::vector<GridOutput> outputs;
     std::string provenance;  ///< version, hash of the config, overrides
 };

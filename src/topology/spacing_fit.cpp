@@ -133,7 +133,7 @@ std::string misfit(const GeometricLaw& law, int cells, double length) {
     if (!(*law.ratio > 0) || !std::isfinite(*law.ratio)) {
         return fmt::format("the ratio, {:g}, must be greater than 0", *law.ratio);
     }
-    return misfit_of_fractions(geometric_fractions(cells, *law.ratio));
+    return misfit_of_fractions(ratio_fractions(cells, *law.ratio));
 }
 
 /// Positions from 0 to 1; `what` says whether they are "values" or a "formula".

@@ -59,6 +59,9 @@ struct Edge {
     double to = 1;
     double length = 0;
     int cells = 1;
+    /// Cells for each of those that the law is determined with: 2, 4, ... in the finest grid of a
+    /// nested family, where the law is continued between its points.
+    int refinement = 1;
     SpacingLaw law;
     std::optional<double> asked_start;  ///< first cell asked by this edge's own law
     std::optional<double> asked_end;
@@ -161,6 +164,15 @@ struct Boundary {
     std::optional<AxisPlane> plane;
 };
 
+/// The cells of an edge, and of those parallel to it, where they are others than the file says: for
+/// a level, for a multiple, or for the sums over the sides of a face.
+struct AdjustedCount {
+    std::string edge;
+    int written = 0;   ///< as in the file
+    double asked = 0;  ///< the same times the level's factor
+    int got = 0;
+};
+
 struct Topology {
     std::string title;
     std::string units;
@@ -170,6 +182,7 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<Block> blocks;
     std::vector<Boundary> boundaries;  ///< covers every free side; `unassigned` added where needed
+    std::vector<AdjustedCount> adjusted_counts;
     std::vector<PutOnSurface> put_on_surface;
     std::vector<Gate> gates;          ///< on the whole grid
     std::vector<GridOutput> outputs;  ///< as the file names them

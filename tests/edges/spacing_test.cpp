@@ -162,3 +162,23 @@ TEST_CASE("every law that is not refused is met") {
     }
     CHECK(passed > 10000);
 }
+
+TEST_CASE("a refined formula is taken at the finer indices") {
+    const SpacingLaw law = by_formula([](double t) { return t * t; });
+    const std::vector<double> plain = law_fractions(law, 6, 7);
+    const std::vector<double> refined = law_fractions(law, 6, 7, 4);
+    REQUIRE(refined.size() == 25);
+    for (std::size_t i = 0; i < plain.size(); ++i) CHECK(refined[4 * i] == plain[i]);
+    CHECK(refined[1] == Approx(1.0 / 576).epsilon(1e-15));
+}
+
+TEST_CASE("an asked cell is that of the plain law also where the law is refined") {
+    for (const SpacingLaw& law : std::vector<SpacingLaw>{
+             TanhLaw{1e-5, none}, TanhLaw{1e-5, none, TanhLaw::Natural{2.3e-5, 0.03}},
+             GeometricLaw{none, 1e-5, none}}) {
+        const std::vector<double> refined = law_fractions(law, 96, 20, 2);
+        CHECK(refined[2] * 20 == Approx(1e-5).epsilon(1e-12));
+        CHECK(refined[1] < 0.5 * refined[2]);
+        CHECK(refined[1] > 0.4 * refined[2]);
+    }
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/every_nth.h"
 #include "elliptic/fold_count.h"
 #include "faces/face_grid.h"
 #include "faces/hand_built.h"
@@ -21,15 +22,15 @@ double layered(double t) {
 const double first = layered(1.0 / 40);
 
 /// A unit square, or box of `layers` > 1 planes, whose lines along j begin with cells of
-/// `first` times height_of(x, z) and end at 1.
+/// `first` times height_of(x, z) and end at 1; each cell divided into `refinement` along i and j.
 template <class HeightOf>
-PointField square(int layers, HeightOf&& height_of) {
-    PointField points(Extent{33, 41, layers});
+PointField square(int layers, HeightOf&& height_of, int refinement = 1) {
+    PointField points(Extent{32 * refinement + 1, 40 * refinement + 1, layers});
     for (int k = 0; k < layers; ++k) {
-        for (int j = 0; j <= 40; ++j) {
-            for (int i = 0; i <= 32; ++i) {
-                const double x = i / 32.0;
-                const double y = layered(j / 40.0);
+        for (int j = 0; j <= 40 * refinement; ++j) {
+            for (int i = 0; i <= 32 * refinement; ++i) {
+                const double x = i / (32.0 * refinement);
+                const double y = layered(j / (40.0 * refinement));
                 const double near = std::exp(-y / 0.05);
                 const double z = layers == 1 ? 0.0 : k / (layers - 1.0);
                 points.set(i, j, k, {x, y * (1 + (height_of(x, z) - 1) * near), z});
@@ -247,5 +248,36 @@ TEST_CASE("faces with heights held share the points of their edges to the bit") 
         for (const double ratio : height_ratios(faces[n].points, faces[n].heights[0])) {
             CHECK(ratio == Approx(1).epsilon(1e-4));
         }
+    }
+}
+
+TEST_CASE("a height held in a finer grid is that of the coarser one in it") {
+    HeldHeights request;
+    request.fade = 0.2;
+    request.growth = 1.5;
+    for (const std::optional<double> height :
+         {std::optional<double>{}, std::optional<double>{1.1 * first}}) {
+        request.height = height;
+        request.first = 1;
+        request.growth = 1.5;
+        PointField plain = square(1, bump);
+        hold_heights(plain, Side::jmin, request);
+        request.first = 4;
+        request.growth = std::pow(1.5, 0.25);
+        PointField fine = square(1, bump, 4);
+        const HeldSide held = hold_heights(fine, Side::jmin, request);
+        const HeldSide coarse = every_nth(fine, held, 4);
+        const PointField in_fine = every_nth(fine, 4);
+        REQUIRE(coarse.asked.extent() == Extent{33, 1, 1});
+        CHECK(coarse.asked(16, 0) == Approx(height ? *height : first).epsilon(1e-9));
+        const double at_middle = distance(in_fine(16, 1), in_fine(16, 0));
+        CHECK(at_middle == Approx(coarse.asked(16, 0)).epsilon(1e-9));
+        CHECK(height_ratios(in_fine, coarse)[16] == Approx(1).epsilon(1e-9));
+        for (int j = 0; j <= 40; ++j) CHECK(distance(in_fine(16, j), plain(16, j)) < 2e-4);
+        // One cell of the fine grid: what the law of its edges has there, of the given height.
+        const HeldSide finest = every_nth(fine, held, 1);
+        const double share = layered(1.0 / 160) / first;
+        CHECK(finest.asked(64, 0) == Approx(share * (height ? *height : first)).epsilon(1e-9));
+        CHECK(height_ratios(fine, finest)[64] == Approx(1).epsilon(0.02));
     }
 }

@@ -3,8 +3,11 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <random>
+
+#include "geometry/wall_scaling.h"
 
 using namespace hexweave;
 
@@ -109,7 +112,7 @@ TEST_CASE("equal sizes give a symmetric law, and the plain size a uniform one") 
              {tanh_fractions(cells, size, size), tanh_fractions(cells, size, none),
               tanh_fractions(cells, none, size), geometric_fractions(cells, size, none),
               geometric_fractions(cells, none, size), geometric_fractions(cells, size, size),
-              geometric_fractions(cells, 1.0), tanh_fractions(cells, none, none)}) {
+              ratio_fractions(cells, 1.0), tanh_fractions(cells, none, none)}) {
             for (std::size_t i = 0; i < f.size(); ++i) {
                 CHECK(f[i] == Approx(uniform[i]).margin(1e-14));
             }
@@ -127,7 +130,7 @@ TEST_CASE("laws seen from the other end are their own reversal") {
     check_same(tanh_fractions(40, none, 1e-3), reversed_fractions(tanh_fractions(40, 1e-3, none)));
     check_same(geometric_fractions(40, 1e-3, 0.02),
                reversed_fractions(geometric_fractions(40, 0.02, 1e-3)));
-    check_same(geometric_fractions(40, 1.1), reversed_fractions(geometric_fractions(40, 1 / 1.1)));
+    check_same(ratio_fractions(40, 1.1), reversed_fractions(ratio_fractions(40, 1 / 1.1)));
 }
 
 TEST_CASE("tanh is Vinokur's function of the slopes it has") {
@@ -159,12 +162,12 @@ TEST_CASE("tanh is Vinokur's function of the slopes it has") {
 }
 
 TEST_CASE("a ratio is the ratio of neighbouring cells") {
-    const std::vector<double> f = geometric_fractions(20, 1.25);
+    const std::vector<double> f = ratio_fractions(20, 1.25);
     for (std::size_t i = 1; i + 1 < f.size(); ++i) {
         CHECK((f[i + 1] - f[i]) / (f[i] - f[i - 1]) == Approx(1.25).epsilon(1e-12));
     }
     // 1 + 2 + 4 + 8 = 15
-    CHECK(geometric_fractions(4, 2.0)[2] == Approx(3.0 / 15).epsilon(1e-15));
+    CHECK(ratio_fractions(4, 2.0)[2] == Approx(3.0 / 15).epsilon(1e-15));
     CHECK(geometric_fractions(4, 1.0 / 15, std::nullopt)[3] == Approx(7.0 / 15).epsilon(1e-14));
     CHECK(geometric_fractions(4, std::nullopt, 8.0 / 15)[1] == Approx(1.0 / 15).epsilon(1e-14));
 }
@@ -175,4 +178,42 @@ TEST_CASE("two cells split where the sizes say") {
     CHECK(tanh_fractions(2, 0.25, 0.75)[1] == Approx(0.25).epsilon(1e-15));
     CHECK(geometric_fractions(2, 0.3, std::nullopt)[1] == Approx(0.3).epsilon(1e-14));
     CHECK(tanh_fractions(1, 1.0, std::nullopt) == std::vector<double>{0, 1});
+}
+
+TEST_CASE(
+    "a refined law passes through the points of the plain one, to the bit, and grows between") {
+    const std::optional<double> none;
+    using Law = std::function<std::vector<double>(int refinement)>;
+    const std::vector<Law> laws{
+        [](int r) { return uniform_fractions(12, r); },
+        [](int r) { return tanh_fractions(12, 1e-4, 0.02, r); },
+        [](int r) { return tanh_fractions(12, 0.2, 0.3, r); },
+        [&](int r) { return tanh_fractions(12, 1e-5, none, r); },
+        [&](int r) { return tanh_fractions(12, none, 1e-5, r); },
+        [](int r) { return ratio_fractions(12, 1.3, r); },
+        [&](int r) { return geometric_fractions(12, 1e-3, none, r); },
+        [](int r) { return geometric_fractions(12, 1e-3, 1e-2, r); },
+        [](int r) { return geometric_fractions(12, 0.3, 0.25, r); },
+        [](int r) { return held_tanh_fractions(12, 2e-4, 1e-4, 0.1, false, r); },
+        [](int r) { return held_tanh_fractions(12, 2e-4, 1e-4, 0.1, true, r); },
+        [&](int r) { return tanh_fractions(1, none, none, r); },
+    };
+    for (std::size_t law = 0; law < laws.size(); ++law) {
+        CAPTURE(law);
+        const std::vector<double> plain = laws[law](1);
+        const int cells = static_cast<int>(plain.size()) - 1;
+        for (const int refinement : {2, 4, 8, 3}) {
+            const std::vector<double> refined = laws[law](refinement);
+            check_ends(refined, cells * refinement);
+            for (std::size_t i = 0; i < plain.size(); ++i) {
+                CHECK(refined[i * static_cast<std::size_t>(refinement)] == plain[i]);
+            }
+        }
+        // Cells of the refined law grow by no more than those of the plain one, save where two
+        // progressions meet.
+        CHECK(greatest_growth(laws[law](4)) <= greatest_growth(plain) * 1.0000001);
+    }
+    const std::vector<double> two = tanh_fractions(2, 0.2, 0.8, 2);
+    CHECK(two[2] == Approx(0.2).epsilon(1e-14));
+    CHECK((two[2] - two[1]) / two[1] == Approx(2).epsilon(1e-12));  // 4 = 2 * 2
 }
