@@ -16,6 +16,7 @@
 #include "io/grid_file.h"
 #include "io/output_files.h"
 #include "io/report_text.h"
+#include "io/topology_text.h"
 
 namespace hexweave {
 namespace {
@@ -52,6 +53,7 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     const std::vector<Override> overrides = parse_overrides(options.input.set);
     const Topology topology = read_topology(source, overrides, outcome.diagnostics);
     settle_warnings(outcome.diagnostics, options.input);
+    outcome.grids.push_back(planned_grid(topology));
 
     // The output is staged before the work: a folder that cannot be written is told at once.
     OutputFiles files;
@@ -70,7 +72,8 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     // With the JSON on standard output nothing else may stand there.
     std::FILE* out = options.input.json == "-" ? stderr : stdout;
     if (!options.input.quiet) {
-        fmt::print(out, "{}\n", to_text(made.report, options.input.verbose));
+        fmt::print(out, "{}{}\n", adjusted_counts_text(topology),
+                   to_text(made.report, options.input.verbose));
         fmt::print(out, "{}\n", verdict(made.report));
         fmt::print(out, "wrote {} in {:.2f} s\n", written, taken.count());
     } else if (!made.report.sound()) {

@@ -103,6 +103,18 @@ Json spacing(const SpacingMeasure& s) {
             {"last_got", json_of(s.got_end)}};
 }
 
+Json adjusted_count(const AdjustedCount& a) {
+    return {{"edge", a.edge}, {"written", a.written}, {"asked", json_of(a.asked)}, {"got", a.got}};
+}
+
+Json planned(const PlannedGrid& g) {
+    return {{"cells", g.cells},
+            {"nodes", g.nodes},
+            {"memory", json_of(g.memory)},
+            {"threads", g.threads},
+            {"adjusted_counts", json_list(g.adjusted_counts, adjusted_count)}};
+}
+
 Json report_json(const Report& r) {
     return {{"title", r.title},
             {"sound", r.sound()},
@@ -143,7 +155,8 @@ std::string to_json(const Outcome& outcome) {
               {"exit_code", outcome.exit_code},
               {"outputs", outcome.outputs},
               {"diagnostics", json_list(outcome.diagnostics.all(), diagnostic)},
-              {"failure", outcome.failure}};
+              {"failure", outcome.failure},
+              {"grids", json_list(outcome.grids, planned)}};
     json["report"] = outcome.report ? report_json(*outcome.report) : Json(nullptr);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/diagnostics.h"
+#include "io/planned_grid.h"
 #include "quality/report.h"
 
 namespace hexweave {
@@ -18,7 +19,8 @@ struct Outcome {
     int exit_code = 0;
     std::vector<std::string> outputs;  ///< files that were written
     Diagnostics diagnostics;
-    std::string failure;  ///< what the machine failed at; empty when it did not
+    std::string failure;             ///< what the machine failed at; empty when it did not
+    std::vector<PlannedGrid> grids;  ///< that were resolved
     std::optional<Report> report;
 };
 

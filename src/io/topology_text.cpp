@@ -26,6 +26,17 @@ std::string boundary_line(const Topology& topology, const Boundary& boundary) {
 
 }  // namespace
 
+std::string adjusted_counts_text(const Topology& topology) {
+    if (topology.adjusted_counts.empty()) return {};
+    std::string text = fmt::format("{:<26} {:>10} {:>10} {:>10}\n", "cells raised, of edge",
+                                   "written", "asked", "got");
+    for (const AdjustedCount& a : topology.adjusted_counts) {
+        text +=
+            fmt::format("  {:<24} {:>10} {:>10.6g} {:>10}\n", a.edge, a.written, a.asked, a.got);
+    }
+    return text;
+}
+
 std::string to_text(const Topology& topology) {
     std::string text = fmt::format("{} vertices, {} edges, {} faces, {} blocks; {} cells\n",
                                    topology.vertices.size(), topology.edges.size(),
@@ -38,6 +49,7 @@ std::string to_text(const Topology& topology) {
     }
     text += "boundaries:\n";
     for (const Boundary& b : topology.boundaries) text += boundary_line(topology, b);
+    text += adjusted_counts_text(topology);
     text += fmt::format("memory: about {:.2g} GB on {} {}\n",
                         estimated_bytes(topology, threads()) / 1e9, threads(),
                         threads() == 1 ? "thread" : "threads");

@@ -8,6 +8,9 @@
 
 namespace hexweave {
 
+/// A line per edge whose cells are not as written; empty where there is none.
+std::string adjusted_counts_text(const Topology& topology);
+
 /// Counts, a line per zone with its cells, a line per boundary, and the memory that a run needs.
 std::string to_text(const Topology& topology);
 

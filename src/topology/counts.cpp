@@ -12,41 +12,16 @@
 #include <string>
 #include <vector>
 
+#include "topology/counting.h"
 #include "topology/face_frame.h"
 
 namespace hexweave {
 
-namespace {
-
-/// A count that the user gave to an edge.
-using Given = std::optional<Located<int>>;
-
-/// The count of one group of parallel edges, and the face whose sums gave it (-1: a given count).
-struct GroupCount {
-    std::int64_t cells = 0;  ///< 0: unknown
-    int from_face = -1;
-    bool faulty = false;  ///< reported
-};
-
-struct Counting {
-    const Network& network;
-    const ParallelEdges& parallels;
-    Diagnostics& diagnostics;
-    std::vector<Given> given;
-    std::vector<int> group_of;
-    std::vector<GroupCount> groups;
-
-    GroupCount& group(int edge) {
-        return groups[static_cast<std::size_t>(group_of[static_cast<std::size_t>(edge)])];
-    }
-    std::int64_t cells(int edge) { return group(edge).cells; }
-    std::string edge_name(int edge) const { return quoted(network.edge(edge).name); }
-    std::string face_name(int face) const { return quoted(network.face(face).name); }
-};
-
 std::string cells_text(std::int64_t cells) {
     return fmt::format("{} {}", cells, cells == 1 ? "cell" : "cells");
 }
+
+namespace {
 
 /// A count is given by 'cells', or by a list of points in the spacing.
 Given given_count(const EdgeEntry* entry, Diagnostics& diagnostics) {
@@ -137,13 +112,6 @@ void count_groups(Counting& counting) {
         }
     }
 }
-
-/// What a face with a side of several edges says: the sum over one side equals that over the other.
-struct SumEquation {
-    int face = 0;
-    std::size_t axis = 0;
-    std::map<int, int> coefficients;  ///< of the groups; those that cancel are left out
-};
 
 std::vector<SumEquation> sum_equations(const Counting& counting) {
     std::vector<SumEquation> equations;
@@ -370,7 +338,8 @@ void store(Counting& counting, Topology& topology) {
 
 }  // namespace
 
-void resolve_counts(Network& network, const ParallelEdges& parallels, Diagnostics& diagnostics) {
+void resolve_counts(Network& network, const ParallelEdges& parallels, const CountRules& rules,
+                    Diagnostics& diagnostics) {
     Counting counting{network, parallels, diagnostics, {}, parallel_groups(parallels), {}};
     for (const EdgeEntry* entry : network.edge_entries) {
         counting.given.push_back(given_count(entry, diagnostics));
@@ -382,6 +351,9 @@ void resolve_counts(Network& network, const ParallelEdges& parallels, Diagnostic
     const std::vector<SumEquation> equations = sum_equations(counting);
     solve_sums(counting, equations);
     if (network.intact) report_unknown(counting, equations);
+    if (!diagnostics.has_errors()) {
+        network.topology.adjusted_counts = adjust_counts(counting, equations, rules);
+    }
     store(counting, network.topology);
 }
 

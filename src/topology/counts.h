@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cell counts: opposite sides of a face have equally many cells, so one mention fixes a whole chain
-// of edges.
+// of edges. Counts are then raised as asked: to multiples.
 #pragma once
+
+#include <optional>
 
 #include "core/diagnostics.h"
 #include "topology/draft.h"
@@ -9,8 +11,15 @@
 
 namespace hexweave {
 
+/// What the counts are raised to, besides what single edges say.
+struct CountRules {
+    std::optional<Located<int>> multiple_of;
+};
+
 /// Sets the cells of every edge, face and block. An edge whose count is unknown or in conflict (an
-/// error tells) keeps 0 cells, and so does what it bounds.
-void resolve_counts(Network& network, const ParallelEdges& parallels, Diagnostics& diagnostics);
+/// error tells) keeps 0 cells, and so does what it bounds. Counts that are not as written are
+/// listed in the topology.
+void resolve_counts(Network& network, const ParallelEdges& parallels, const CountRules& rules,
+                    Diagnostics& diagnostics);
 
 }  // namespace hexweave

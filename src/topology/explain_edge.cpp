@@ -122,10 +122,45 @@ void add_sums(const Chains& chains, int index, std::vector<ExplanationStep>& ste
     }
 }
 
+/// What was made of the count of an edge, or of one parallel to it, where it is not as written.
+const AdjustedCount* adjustment(const Chains& chains, int index) {
+    const std::vector<int> groups = parallel_groups(chains.parallels);
+    for (const AdjustedCount& adjusted : chains.topology.adjusted_counts) {
+        for (std::size_t e = 0; e < groups.size(); ++e) {
+            if (groups[e] != groups[static_cast<std::size_t>(index)]) continue;
+            if (chains.topology.edges[e].name == adjusted.edge) return &adjusted;
+        }
+    }
+    return nullptr;
+}
+
+/// Why a count is not as written: the multiples asked for, or, where none is, sums over sides.
+void explain_raise(const Case& written, const Chains& chains, int index,
+                   std::vector<ExplanationStep>& steps) {
+    const AdjustedCount* adjusted = adjustment(chains, index);
+    if (adjusted == nullptr) return;
+    steps.push_back({chains.edge(index).place,
+                     fmt::format("  raised from {} to {}", adjusted->written, adjusted->got)});
+    const auto asked = [&](const std::optional<Located<int>>& multiple) {
+        if (!multiple) return;
+        steps.push_back({multiple->place,
+                         fmt::format("  a multiple of {} is asked for here", multiple->value)});
+    };
+    asked(written.multiple_of);
+    const std::vector<int> groups = parallel_groups(chains.parallels);
+    for (std::size_t e = 0; e < groups.size(); ++e) {
+        if (groups[e] != groups[static_cast<std::size_t>(index)]) continue;
+        if (chains.entries[e] != nullptr) asked(chains.entries[e]->multiple_of);
+    }
+}
+
+/// Where an edge has its count from, as it is written in the file.
 void explain_cells(const Chains& chains, int index, std::vector<ExplanationStep>& steps) {
     const Edge& edge = chains.edge(index);
+    const AdjustedCount* adjusted = adjustment(chains, index);
+    const int cells = adjusted != nullptr ? adjusted->written : edge.cells;
     if (const auto own = count_place(chains.entry(index))) {
-        steps.push_back({*own, fmt::format("{}: said here", cells_text(edge.cells))});
+        steps.push_back({*own, fmt::format("{}: said here", cells_text(cells))});
         return;
     }
     std::vector<bool> givers(chains.entries.size());
@@ -134,16 +169,16 @@ void explain_cells(const Chains& chains, int index, std::vector<ExplanationStep>
     }
     const auto chain = shortest_chain(chains.parallels, index, givers);
     if (!chain) {
-        steps.push_back({edge.place, cells_text(edge.cells) + ": by sums over sides"});
+        steps.push_back({edge.place, cells_text(cells) + ": by sums over sides"});
         add_sums(chains, index, steps);
         return;
     }
     const int giver = chain->back().edge;
     steps.push_back(
-        {edge.place, fmt::format("{}: as edge {}", cells_text(edge.cells), chains.name(giver))});
+        {edge.place, fmt::format("{}: as edge {}", cells_text(cells), chains.name(giver))});
     add_crossings(chains, index, *chain, "cells", steps);
     steps.push_back({*count_place(chains.entry(giver)),
-                     fmt::format("  {} says {}", chains.name(giver), cells_text(edge.cells))});
+                     fmt::format("  {} says {}", chains.name(giver), cells_text(cells))});
 }
 
 std::string sizes_text(const std::optional<double>& start, const std::optional<double>& end) {
@@ -230,6 +265,7 @@ std::vector<ExplanationStep> explain_edge(const Case& written, const Topology& t
     const Chains chains = chains_of(written, topology);
     std::vector<ExplanationStep> steps{course(chains, edge)};
     explain_cells(chains, edge, steps);
+    explain_raise(written, chains, edge, steps);
     explain_spacing(chains, edge, steps);
     return steps;
 }

@@ -76,6 +76,13 @@ MappingFormat the_case() {
           "families of free sides",
           "boundaries: {wall: {type: BCWall, sides: [south]}}"},
          {"periodic", {entries("interface", {})}, "", "comes with a later version", "periodic: {}"},
+         {"multiple_of",
+          {count()},
+          "1",
+          "the cells of every edge are raised to the next multiple: of 2^n for n coarser grids of "
+          "a "
+          "multigrid solver",
+          "multiple_of: 8"},
          {"solver",
           {mapping("solver")},
           "",

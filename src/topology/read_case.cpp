@@ -144,6 +144,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.faces, reading, *root, "faces", read_faces);
     read_into(c.blocks, reading, *root, "blocks", read_blocks);
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
+    c.multiple_of = read_multiple_of(reading, *root);
     read_solver(reading, *root, c.solver);
     c.outputs = read_output(reading, section_of(reading, *root, "output"));
     c.gates = read_gates(reading, *root);

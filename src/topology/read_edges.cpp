@@ -141,6 +141,7 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
         if (!point) edge.from.value.clear();
     }
     read_cells(reading, node, edge);
+    edge.multiple_of = read_multiple_of(reading, node);
     if (const YamlNode* spacing = find(reading, node, "spacing")) {
         auto law = read_spacing(reading, *spacing);
         if (law) edge.spacing = {std::move(*law), spacing->place};

@@ -196,6 +196,13 @@ std::optional<int> read_count(Reading& reading, const YamlNode& node, const std:
     return static_cast<int>(whole);
 }
 
+std::optional<Located<int>> read_multiple_of(Reading& reading, const YamlNode& mapping) {
+    const YamlNode* node = find(reading, mapping, "multiple_of");
+    if (node == nullptr) return std::nullopt;
+    const auto multiple = read_count(reading, *node, "'multiple_of'");
+    return multiple ? std::optional(Located<int>{*multiple, node->place}) : std::nullopt;
+}
+
 std::optional<Vec3> read_point(Reading& reading, const YamlNode& node, const std::string& what) {
     const std::size_t size = node.children.size();
     if (!node.is_sequence() || size < 2 || size > 3) {

@@ -81,6 +81,8 @@ std::optional<double> read_positive(Reading& reading, const YamlNode& node,
                                     const std::string& what);
 /// A whole number between 1 and ten million.
 std::optional<int> read_count(Reading& reading, const YamlNode& node, const std::string& what);
+/// The number under the key 'multiple_of', if it is there.
+std::optional<Located<int>> read_multiple_of(Reading& reading, const YamlNode& mapping);
 /// Two or three numbers.
 std::optional<Vec3> read_point(Reading& reading, const YamlNode& node, const std::string& what);
 /// A formula of t.

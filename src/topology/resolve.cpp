@@ -42,7 +42,7 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     measure_extent(network.topology, network.three_dimensional);
     if (check_surface_faces(network, diagnostics)) check_handedness(network, diagnostics);
     const ParallelEdges parallels = parallel_edges(network.topology);
-    resolve_counts(network, parallels, diagnostics);
+    resolve_counts(network, parallels, {c.multiple_of}, diagnostics);
     resolve_spacing(network, parallels, diagnostics);
     resolve_boundaries(network, c, diagnostics);
     resolve_planes(network, c, diagnostics);

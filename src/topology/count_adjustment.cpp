@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "topology/counting.h"
+#include "topology/face_frame.h"
+
+namespace hexweave {
+
+namespace {
+
+/// Whether the edge's count is that of the points that it lists.
+bool lists_points(const EdgeEntry* entry) {
+    if (entry == nullptr || !entry->spacing) return false;
+    const auto* points = std::get_if<ExplicitLaw>(&entry->spacing->value);
+    return points != nullptr && points->values.size() > 1;
+}
+
+/// By group: the first edge that lists its points, else the first that is given a count, else the
+/// first.
+std::vector<int> spokesmen(const Counting& counting) {
+    std::vector<int> edges(counting.groups.size(), -1);
+    const auto rank = [&](int edge) {
+        const auto e = static_cast<std::size_t>(edge);
+        return lists_points(counting.network.edge_entries[e]) ? 2 : counting.given[e] ? 1 : 0;
+    };
+    for (std::size_t e = 0; e < counting.group_of.size(); ++e) {
+        int& edge = edges[static_cast<std::size_t>(counting.group_of[e])];
+        if (edge < 0 || rank(static_cast<int>(e)) > rank(edge)) edge = static_cast<int>(e);
+    }
+    return edges;
+}
+
+std::vector<WantedCount> wanted_counts(const Counting& counting, const std::vector<int>& spokesmen,
+                                       const CountRules& rules) {
+    std::vector<WantedCount> wanted;
+    for (std::size_t g = 0; g < spokesmen.size(); ++g) {
+        const auto edge = static_cast<std::size_t>(spokesmen[g]);
+        wanted.push_back({static_cast<double>(counting.groups[g].cells),
+                          rules.multiple_of ? rules.multiple_of->value : 1,
+                          lists_points(counting.network.edge_entries[edge])});
+    }
+    for (std::size_t e = 0; e < counting.group_of.size(); ++e) {
+        const EdgeEntry* entry = counting.network.edge_entries[e];
+        if (entry == nullptr || !entry->multiple_of) continue;
+        WantedCount& own = wanted[static_cast<std::size_t>(counting.group_of[e])];
+        own.multiple = common_multiple(own.multiple, entry->multiple_of->value);
+    }
+    return wanted;
+}
+
+/// Points that are listed cannot become more.
+void check_listed(const Counting& counting, const std::vector<WantedCount>& wanted,
+                  const std::vector<int>& spokesmen) {
+    for (std::size_t g = 0; g < wanted.size(); ++g) {
+        const std::int64_t cells = counting.groups[g].cells;
+        if (!wanted[g].fixed || cells % wanted[g].multiple == 0) continue;
+        const auto edge = static_cast<std::size_t>(spokesmen[g]);
+        counting.diagnostics.error(
+            counting.network.edge_entries[edge]->spacing->place,
+            fmt::format("edge {} lists the points of {}, which is not a multiple of {}",
+                        counting.edge_name(spokesmen[g]), cells_text(cells), wanted[g].multiple),
+            "list as many as that takes, or give a formula in t, which fits any count");
+    }
+}
+
+void report_unbalanced(const Counting& counting, const SumEquation& equation) {
+    const std::size_t low = 2 * equation.axis;
+    counting.diagnostics.error(
+        counting.network.face(equation.face).place,
+        fmt::format("no multiples were found that make {} and {} of face {} equal",
+                    side_name(all_sides[low]), side_name(all_sides[low + 1]),
+                    counting.face_name(equation.face)),
+        "write counts on its edges that are multiples and add up");
+}
+
+}  // namespace
+
+std::vector<AdjustedCount> adjust_counts(Counting& counting,
+                                         const std::vector<SumEquation>& equations,
+                                         const CountRules& rules) {
+    const std::vector<int> edges = spokesmen(counting);
+    const std::vector<WantedCount> wanted = wanted_counts(counting, edges, rules);
+    check_listed(counting, wanted, edges);
+    const RaisedCounts raised = raise_counts(wanted, equations);
+    if (raised.unequal) report_unbalanced(counting, equations[*raised.unequal]);
+    std::vector<AdjustedCount> adjusted;
+    for (std::size_t g = 0; g < wanted.size(); ++g) {
+        GroupCount& count = counting.groups[g];
+        const std::int64_t written = count.cells;
+        count.cells = raised.cells[g];
+        if (count.cells == written) continue;
+        adjusted.push_back({counting.network.edge(edges[g]).name, static_cast<int>(written),
+                            wanted[g].asked, static_cast<int>(count.cells)});
+    }
+    return adjusted;
+}
+
+}  // namespace hexweave
