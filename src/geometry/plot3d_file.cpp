@@ -114,32 +114,64 @@ private:
     int error_line_ = 0;
 };
 
-/// The counts of the one block along u and v.
-std::array<int, 2> read_counts(Numbers& numbers) {
-    const int line = numbers.line();
-    if (numbers.words_on_line() == 1 && numbers.next_count() != 1) {
-        numbers.fail("the file must hold one block", line);
+using Counts = std::array<int, 3>;
+
+/// The points of a block; what is more than most_points is not told apart.
+std::size_t points_of(const Counts& counts) {
+    std::size_t points = 1;
+    for (const int count : counts) {
+        points = std::min(points * static_cast<std::size_t>(count), std::size_t{most_points} + 1);
     }
-    std::array<int, 3> counts{};
-    const int second = numbers.line();
+    return points;
+}
+
+Counts read_counts(Numbers& numbers, bool of_surface) {
+    const int line = numbers.line();
+    Counts counts{};
     for (int& count : counts) count = numbers.next_count();
-    if (std::count(counts.begin(), counts.end(), 1) != 1) {
+    if (of_surface && std::count(counts.begin(), counts.end(), 1) != 1) {
         numbers.fail("one of the three counts must be 1 for a surface, not " +
                          std::to_string(counts[0]) + " " + std::to_string(counts[1]) + " " +
                          std::to_string(counts[2]),
-                     second);
+                     line);
     }
-    const std::size_t one =
-        static_cast<std::size_t>(std::find(counts.begin(), counts.end(), 1) - counts.begin());
-    return one == 0   ? std::array{counts[1], counts[2]}
-           : one == 1 ? std::array{counts[0], counts[2]}
-                      : std::array{counts[0], counts[1]};
+    return counts;
 }
 
-ControlMesh read_mesh(Numbers& numbers) {
-    const auto [nu, nv] = read_counts(numbers);
-    const std::size_t points = static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv);
-    if (points > most_points) numbers.fail("there are too many points", 0);
+/// The blocks of a file, and the one that is asked for.
+struct Blocks {
+    std::vector<Counts> counts;
+    std::size_t chosen = 0;
+};
+
+/// The head of a file, no block after a fault. Counts that do not make the chosen block a surface
+/// are one.
+Blocks read_head(Numbers& numbers, std::optional<int> block) {
+    const int line = numbers.line();
+    const int count = numbers.words_on_line() == 1 ? numbers.next_count() : 1;
+    if (!block && count > 1) {
+        numbers.fail(
+            "the file holds " + std::to_string(count) + " blocks: say with 'block' which one",
+            line);
+    } else if (block && *block > count) {
+        numbers.fail("there is no block " + std::to_string(*block) + ": the file holds " +
+                         std::to_string(count),
+                     line);
+    }
+    Blocks blocks;
+    blocks.chosen = static_cast<std::size_t>(block.value_or(1)) - 1;
+    std::size_t points = 0;
+    for (int b = 0; b < count && !numbers.failed(); ++b) {
+        blocks.counts.push_back(read_counts(numbers, blocks.counts.size() == blocks.chosen));
+        points += points_of(blocks.counts.back());
+        if (points > most_points) numbers.fail("there are too many points", 0);
+    }
+    return numbers.failed() ? Blocks() : blocks;
+}
+
+/// All coordinates of a file of so many points; none are missing and none are left over but after a
+/// fault.
+std::vector<double> read_coordinates(Numbers& numbers, std::size_t points) {
     std::vector<double> values;
     while (!numbers.at_end() && values.size() <= 3 * points) values.push_back(numbers.next());
     if (values.size() < 3 * points) {
@@ -150,21 +182,38 @@ ControlMesh read_mesh(Numbers& numbers) {
         numbers.fail("more stands behind the " + std::to_string(3 * points) + " coordinates",
                      numbers.line());
     }
-    ControlMesh mesh{nu, nv, {}};
-    if (numbers.failed()) return mesh;
+    return values;
+}
+
+/// Without points after a fault.
+ControlMesh read_mesh(Numbers& numbers, std::optional<int> block) {
+    const Blocks blocks = read_head(numbers, block);
+    std::size_t all = 0;
+    std::size_t before = 0;
+    for (std::size_t b = 0; b < blocks.counts.size(); ++b) {
+        if (b < blocks.chosen) before += points_of(blocks.counts[b]);
+        all += points_of(blocks.counts[b]);
+    }
+    const std::vector<double> values = read_coordinates(numbers, all);
+    if (numbers.failed()) return {};
+    const Counts& counts = blocks.counts[blocks.chosen];
+    ControlMesh mesh{
+        counts[0] == 1 ? counts[1] : counts[0], counts[2] == 1 ? counts[1] : counts[2], {}};
+    const std::size_t points = points_of(counts);
+    const double* const x = values.data() + 3 * before;
     mesh.points.reserve(points);
     for (std::size_t n = 0; n < points; ++n) {
-        mesh.points.push_back({values[n], values[n + points], values[n + 2 * points]});
+        mesh.points.push_back({x[n], x[n + points], x[n + 2 * points]});
     }
     return mesh;
 }
 
 }  // namespace
 
-Plot3dSurface read_plot3d_surface(std::string_view text) {
+Plot3dSurface read_plot3d_surface(std::string_view text, std::optional<int> block) {
     Numbers numbers(text);
     Plot3dSurface surface;
-    surface.mesh = read_mesh(numbers);
+    surface.mesh = read_mesh(numbers, block);
     surface.error = numbers.error();
     surface.line = numbers.error_line();
     return surface;

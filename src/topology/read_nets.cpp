@@ -145,8 +145,11 @@ std::optional<ControlMesh> read_mesh_file(Reading& reading, const YamlNode& node
     const YamlNode* name = require(reading, node, "file", "'control_points'");
     if (name == nullptr) return std::nullopt;
     const auto file = read_data_file(reading, *name, "'file'");
-    if (!file) return std::nullopt;
-    Plot3dSurface surface = read_plot3d_surface(file->text);
+    const YamlNode* which = find(reading, node, "block");
+    std::optional<int> block;
+    if (which != nullptr) block = read_count(reading, *which, "'block'");
+    if (!file || (which != nullptr && !block)) return std::nullopt;
+    Plot3dSurface surface = read_plot3d_surface(file->text, block);
     if (surface.error.empty()) return std::move(surface.mesh);
     tell_file_fault(reading, *name, file, surface.error, surface.line);
     return std::nullopt;

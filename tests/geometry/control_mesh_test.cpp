@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -195,14 +196,39 @@ TEST_CASE("a Plot3D file of one surface is read, with and without the number of 
     }
 }
 
+TEST_CASE("one surface of a Plot3D file of several blocks is read") {
+    // Two surfaces and, between them, a volume that nobody asks for.
+    const std::string text =
+        "3\n2 2 1  2 2 2\n1 2 3\n0 1 0 1  0 0 1 1  4*7\n8*1 8*2 8*3\n"
+        "0 0 0 0 0 0  0 1 0 1 0 1  0 0 1 1 2 2\n";
+    const Plot3dSurface first = read_plot3d_surface(text, 1);
+    CHECK(first.error.empty());
+    CHECK(first.mesh.points == std::vector<Vec3>{{0, 0, 7}, {1, 0, 7}, {0, 1, 7}, {1, 1, 7}});
+    const Plot3dSurface third = read_plot3d_surface(text, 3);
+    CHECK(third.error.empty());
+    CHECK(third.mesh.count_u == 2);
+    CHECK(third.mesh.count_v == 3);
+    CHECK(third.mesh.points ==
+          std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}, {0, 0, 2}, {0, 1, 2}});
+    const Plot3dSurface second = read_plot3d_surface(text, 2);
+    CHECK(second.line == 2);
+    CHECK(second.error == "one of the three counts must be 1 for a surface, not 2 2 2");
+    CHECK(read_plot3d_surface("2 2 1\n0 1 0 1\n0 0 1 1\n4*0", 1).error.empty());
+}
+
 TEST_CASE("what is wrong with a Plot3D file is told with its line") {
-    const auto fault = [](const std::string& text) {
-        const Plot3dSurface read = read_plot3d_surface(text);
+    const auto fault = [](const std::string& text, std::optional<int> block = std::nullopt) {
+        const Plot3dSurface read = read_plot3d_surface(text, block);
         return std::to_string(read.line) + ": " + read.error;
     };
     CHECK(fault("") == "0: the file ends before its counts");
     CHECK(fault("# mesh\n2 2 1\n") == "1: '#' is not a number");
-    CHECK(fault("2\n2 2 1\n2 2 1\n") == "1: the file must hold one block");
+    CHECK(fault("2\n2 2 1\n2 2 1\n") == "1: the file holds 2 blocks: say with 'block' which one");
+    CHECK(fault("2\n2 2 1\n2 2 1\n", 3) == "1: there is no block 3: the file holds 2");
+    CHECK(fault("2 2 1\n12*0", 2) == "1: there is no block 2: the file holds 1");
+    CHECK(fault("2\n2 2 1\n2 2 1\n23*0\n", 1) == "5: there are 23 coordinates, not 3 times 8");
+    CHECK(fault("9\n2 2 1\n", 1) == "0: the file ends before its counts");
+    CHECK(fault("2\n2 2 1\n9999999 2 1\n", 1) == "0: there are too many points");
     CHECK(fault("1\n2 2 2\n") == "2: one of the three counts must be 1 for a surface, not 2 2 2");
     CHECK(fault("1\n2 1 1\n") == "2: one of the three counts must be 1 for a surface, not 2 1 1");
     CHECK(fault("1\n2 2.5 1\n") == "2: a count must be a whole number from 1 to 10000000");
