@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "elliptic/best_iterate.h"
 #include "elliptic/cell_units.h"
 #include "elliptic/convergence.h"
 #include "elliptic/fold_count.h"
@@ -50,10 +51,17 @@ bool is_rounding(double displacement, const PointField& points) {
     return displacement <= rounding_multiple * rounding;
 }
 
-/// Cycles until convergence, or until there is no hope of it. Returns whether the points may stand;
-/// the parameters are still there only where they may not.
-bool run_cycles(PointField& points, ParameterField& parameters, const CycleOptions& how,
-                const EllipticOptions& options, SolveResult& result) {
+/// How a number of cycles ended.
+enum class Ending {
+    converged,
+    no_hope,  ///< something else is to be tried
+    ran_out,  ///< there were no more cycles to be made
+};
+
+/// Cycles until convergence, or until there is no hope of it. The points are changed only where
+/// they converged; the parameters are still there only where they did not.
+Ending run_cycles(PointField& points, ParameterField& parameters, const CycleOptions& how,
+                  const EllipticOptions& options, SolveResult& result) {
     Multigrid multigrid(points, std::move(parameters), how);
     multigrid.start();
     std::vector<double> steps;
@@ -68,7 +76,7 @@ bool run_cycles(PointField& points, ParameterField& parameters, const CycleOptio
         if (!(steps.back() < hopeless_displacement)) {
             result.status = SolveStatus::diverged;
             parameters = multigrid.parameters();
-            return false;
+            return Ending::no_hope;
         }
         since_least = steps.back() < least ? 0 : since_least + 1;
         least = std::min(least, steps.back());
@@ -76,41 +84,81 @@ bool run_cycles(PointField& points, ParameterField& parameters, const CycleOptio
         if (has_converged(steps, options.tolerance)) {
             result.status = SolveStatus::converged;
             multigrid.write(points);
-            return true;
+            return Ending::converged;
         }
     }
     const bool ran_out = allowed == options.maximum_cycles && since_least < patience;
     result.status = SolveStatus::not_converged;
-    if (ran_out) {
-        multigrid.write(points);
-        return true;
-    }
-    PointField last = points;
-    multigrid.write(last);
-    if (is_rounding(least, last)) {
-        result.status = SolveStatus::converged;
-        points = std::move(last);
-        return true;
+    if (!ran_out) {
+        PointField last = points;
+        multigrid.write(last);
+        if (is_rounding(least, last)) {
+            result.status = SolveStatus::converged;
+            points = std::move(last);
+            return Ending::converged;
+        }
     }
     parameters = multigrid.parameters();
-    return false;
+    return ran_out ? Ending::ran_out : Ending::no_hope;
 }
 
-void solve_inside(PointField& points, ParameterField parameters, const EllipticOptions& options,
-                  SolveResult& result) {
-    const CycleOptions usual = CycleOptions::of(points.extent().nk > 1 ? 3 : 2);
-    if (run_cycles(points, parameters, usual, options, result)) return;
-    result.safeguards.push_back(Safeguard::damping);
-    if (run_cycles(points, parameters, damped(usual), options, result)) return;
+/// Cycles of one kind, none of which gave a grid that may stand.
+struct Trial {
+    CycleOptions how;
+    int cycles = 0;
+};
+
+/// Makes the cycles of all trials once more, from `start`, and offers every grid to `best`. Had the
+/// best grid been kept as the cycles went, every solve would need a fifth more memory for it.
+void look_again(const PointField& start, const ParameterField& parameters,
+                const std::vector<Trial>& trials, BestIterate& best) {
+    int cycle = 0;
+    for (const Trial& trial : trials) {
+        if (trial.cycles == 0) continue;
+        Multigrid multigrid(start, ParameterField(parameters), trial.how);
+        multigrid.start();
+        PointField grid = start;
+        for (int n = 0; n < trial.cycles; ++n) {
+            const double displacement = multigrid.cycle();
+            multigrid.write(grid);
+            best.offer(grid, displacement, ++cycle);
+        }
+    }
+}
+
+/// Both kinds of Picard steps; `points` is the solution, or the best grid.
+void try_picard(PointField& points, const ParameterField& parameters,
+                const EllipticOptions& options, SolveResult& result, BestIterate& best) {
     for (const Safeguard kind : {Safeguard::anderson_picard, Safeguard::krylov_picard}) {
         result.safeguards.push_back(kind);
         const std::size_t before = result.history.size();
-        iterate_picard(points, parameters, options, kind, result);
+        iterate_picard(points, parameters, options, kind, result, best);
         const std::vector<double> steps(
             result.history.begin() + static_cast<std::ptrdiff_t>(before), result.history.end());
         result.rate = convergence_rate(steps);
         if (result.status == SolveStatus::converged) return;
     }
+}
+
+void solve_inside(PointField& points, ParameterField parameters, const EllipticOptions& options,
+                  SolveResult& result) {
+    const CycleOptions usual = CycleOptions::of(points.extent().nk > 1 ? 3 : 2);
+    std::vector<Trial> trials{{usual}, {damped(usual)}};
+    Ending ending = Ending::no_hope;
+    for (std::size_t n = 0; n < trials.size() && ending == Ending::no_hope; ++n) {
+        if (n > 0) result.safeguards.push_back(Safeguard::damping);
+        const int before = result.cycles;
+        ending = run_cycles(points, parameters, trials[n].how, options, result);
+        trials[n].cycles = result.cycles - before;
+    }
+    if (ending == Ending::converged) return;
+    const PointField start = points;
+    BestIterate best(start);
+    if (ending == Ending::no_hope) try_picard(points, parameters, options, result, best);
+    if (result.status == SolveStatus::converged) return;
+    look_again(start, parameters, trials, best);
+    points = std::move(best.points);
+    result.kept_cycle = best.cycle;
 }
 
 }  // namespace

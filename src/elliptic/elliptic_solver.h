@@ -23,9 +23,9 @@ struct ParameterField {
 /// Solves the Poisson system (24) of a face or (86) of a block with control functions (19), (83)
 /// taken from `parameters` by the same central differences as x.  [Spekreijse & Boerstoel 1996]
 /// points: boundary nodes are Dirichlet data and kept to the bit; the interior is the start grid,
-/// folded or not, and is replaced by the solution (the best iterate where it did not converge).
-/// Convergence is measured as displacement along the contravariant base vectors (cell units).
-/// Deterministic; never throws for hard geometry.
+/// folded or not, and is replaced by the solution (the best of all iterates where it did not
+/// converge). Convergence is measured as displacement along the contravariant base vectors (cell
+/// units). Deterministic; never throws for hard geometry.
 SolveResult solve_elliptic(PointField& points, ParameterField parameters,
                            const EllipticOptions& options);
 

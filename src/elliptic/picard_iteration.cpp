@@ -44,13 +44,14 @@ Nodes to_nodes(const ParameterField& parameters, int axes) {
 
 class PicardIteration {
 public:
-    PicardIteration(const PointField& points, const ParameterField& parameters, Safeguard kind)
+    PicardIteration(const PointField& points, const ParameterField& parameters, Safeguard kind,
+                    BestIterate& best)
         : accelerated_(kind == Safeguard::anderson_picard),
           damping_(accelerated_ ? 1 : damping_of_plain_steps),
           lattice_(points.extent()),
           points_(to_nodes(points)),
           parameters_(to_nodes(parameters, lattice_.axes)),
-          best_(points_),
+          best_(best),
           residual_(points_.size()),
           step_(points_.size()),
           linear_(lattice_),
@@ -66,7 +67,7 @@ public:
 
 private:
     double picard_step();
-    void judge(double displacement);
+    void judge(double displacement, int cycle);
     double take_step();
     bool retreat();
     bool is_known(double displacement) const;
@@ -76,7 +77,7 @@ private:
     NodeLattice lattice_;
     Nodes points_;
     Nodes parameters_;
-    Nodes best_;  ///< where the displacement was smallest
+    BestIterate& best_;
     Nodes residual_;
     Nodes step_;
     Stencils stencils_;
@@ -84,7 +85,7 @@ private:
     Acceleration acceleration_;
     bool step_is_solved_ = false;  ///< the linear solver got as far as it was asked
     double least_displacement_ = std::numeric_limits<double>::infinity();
-    int since_best_ = 0;
+    int since_least_ = 0;
 };
 
 /// Sets step_ to the displacement that solves the equations frozen at points_; its size in cells.
@@ -95,14 +96,16 @@ double PicardIteration::picard_step() {
     return largest_displacement(lattice_, points_, step_);
 }
 
-/// Keeps the best grid, and shortens the steps when there was no better one for long. From a folded
-/// start displacements rise before they fall, so a single rise means nothing.
-void PicardIteration::judge(double displacement) {
+/// Offers the grid, and shortens the steps when displacements did not fall for long. From a folded
+/// start they rise before they fall, so a single rise means nothing.
+void PicardIteration::judge(double displacement, int cycle) {
+    PointField grid = best_.points;
+    write(grid);
+    best_.offer(grid, displacement, cycle);
     if (displacement < least_displacement_) {
         least_displacement_ = displacement;
-        best_ = points_;
-        since_best_ = 0;
-    } else if (++since_best_ % patience == 0) {
+        since_least_ = 0;
+    } else if (++since_least_ % patience == 0) {
         damping_ = std::max(shortening * damping_, least_damping);
         acceleration_.restart();
     }
@@ -122,7 +125,7 @@ double PicardIteration::take_step() {
 
 /// Back to the best grid, with shorter steps from there; false when that was tried before.
 bool PicardIteration::retreat() {
-    points_ = best_;
+    points_ = to_nodes(best_.points);
     damping_ *= shortening;
     acceleration_.restart();
     return damping_ >= least_damping;
@@ -138,6 +141,7 @@ void PicardIteration::run(const EllipticOptions& options, SolveResult& result) {
     std::vector<double> steps;
     for (int n = 0; n < options.maximum_cycles; ++n) {
         const double displacement = picard_step();
+        const int cycle = n > 0 ? result.cycles : best_.cycle;  // the one that gave this grid
         ++result.cycles;
         result.history.push_back(displacement);
         if (!std::isfinite(displacement)) {
@@ -146,7 +150,7 @@ void PicardIteration::run(const EllipticOptions& options, SolveResult& result) {
             result.status = SolveStatus::diverged;
             return;
         }
-        judge(displacement);
+        judge(displacement, cycle);
         steps.push_back(std::max(displacement, take_step()));
         result.displacement = steps.back();
         if (has_converged(steps, options.tolerance) && is_known(displacement)) {
@@ -155,14 +159,15 @@ void PicardIteration::run(const EllipticOptions& options, SolveResult& result) {
         }
     }
     result.status = SolveStatus::not_converged;
-    if (since_best_ > 0) points_ = best_;
+    points_ = to_nodes(best_.points);
 }
 
 }  // namespace
 
 void iterate_picard(PointField& points, const ParameterField& parameters,
-                    const EllipticOptions& options, Safeguard kind, SolveResult& result) {
-    PicardIteration iteration(points, parameters, kind);
+                    const EllipticOptions& options, Safeguard kind, SolveResult& result,
+                    BestIterate& best) {
+    PicardIteration iteration(points, parameters, kind, best);
     iteration.run(options, result);
     iteration.write(points);
 }

@@ -64,8 +64,11 @@ struct SolveResult {
     /// Displacement of every cycle, in cells; on a surface, of every pass of several cycles.
     std::vector<double> history;
     std::vector<Safeguard> safeguards;  ///< those entered, in order
-    long folded_before = 0;             ///< folded cells of the start grid
-    long folded_after = 0;              ///< of the finished one
+    /// Where it did not converge, the cycle whose grid was kept, counted from 1: the one with the
+    /// fewest folded cells and, among those, the smallest displacement. 0: the start grid.
+    std::optional<int> kept_cycle;
+    long folded_before = 0;  ///< folded cells of the start grid
+    long folded_after = 0;   ///< of the finished one
     std::optional<Untangling> untangling;
     std::optional<Orthogonality> orthogonality;  ///< where it was asked for
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "elliptic/best_iterate.h"
 #include "elliptic/fold_count.h"
 #include "elliptic/laplace_solver.h"
 #include "elliptic/untangle.h"
@@ -71,15 +72,19 @@ SolveResult solve_bound(PointField& points, const ParameterField& parameters,
     }
     result.status = SolveStatus::not_converged;
     face.keep(points);
+    result.kept_cycle = 0;
+    IterateRank best{result.folded_before};
     double least = INFINITY;
     int idle = 0;
     for (int pass = 0; pass < options.maximum_cycles && idle < patience; ++pass) {
         if (!make_pass(points, parameters, options.tolerance, face, result)) break;
-        ++idle;
-        if (result.displacement < least) {
-            least = result.displacement;
+        idle = result.displacement < least ? 0 : idle + 1;
+        least = std::min(least, result.displacement);
+        const IterateRank rank{count_folded(points), result.displacement};
+        if (rank < best) {
+            best = rank;
             face.keep(points);
-            idle = 0;
+            result.kept_cycle = pass + 1;
         }
         const double remaining = result.rate > 0 && result.rate < 1
                                      ? result.displacement * result.rate / (1 - result.rate)
@@ -89,7 +94,11 @@ SolveResult solve_bound(PointField& points, const ParameterField& parameters,
             break;
         }
     }
-    if (result.status != SolveStatus::converged) face.restore(points);
+    if (result.status == SolveStatus::converged) {
+        result.kept_cycle.reset();
+    } else {
+        face.restore(points);
+    }
     result.folded_after = count_folded(points);
     return result;
 }

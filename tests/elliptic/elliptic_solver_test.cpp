@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "elliptic/fold_count.h"
 #include "elliptic/picard_iteration.h"
 #include "elliptic/shapes.h"
 
@@ -57,24 +58,27 @@ TEST_CASE("a solve that runs out of iterations says so and leaves finite points"
     CHECK(is_finite(problem.points));
 }
 
-TEST_CASE("of Picard steps, the grid with the smallest displacement is the one that is kept") {
+TEST_CASE("of Picard steps, the grid with the fewest folded cells is the one that is kept") {
     const auto run = [](int steps) {
         shapes::Problem problem = shapes::meander(65, 33, 1.7);
         shapes::scatter(problem.points, {0, 0, 0}, {4, 2, 0});
         SolveResult result;
+        BestIterate best(problem.points);
         iterate_picard(problem.points, problem.parameters, {1e-3, steps},
-                       Safeguard::anderson_picard, result);
-        return std::pair(problem.points, result);
+                       Safeguard::anderson_picard, result, best);
+        CHECK(count_folded(problem.points) == best.rank.folded);
+        CHECK(shapes::difference_in_cells(problem.points, best.points) == 0);
+        return best;
     };
-    // From so wild a start displacements rise before they fall, and the last is not the smallest.
-    const auto [kept, result] = run(3);
-    const double smallest = *std::min_element(result.history.begin(), result.history.end());
-    REQUIRE(result.history.back() > smallest);
-    REQUIRE(smallest == result.history.front());
-    // The first step is the best: what is kept is the grid that it was taken from.
-    shapes::Problem problem = shapes::meander(65, 33, 1.7);
-    shapes::scatter(problem.points, {0, 0, 0}, {4, 2, 0});
-    CHECK(same_bits(kept(30, 15), problem.points(30, 15)));
+    const BestIterate start = run(1);
+    CHECK(start.cycle == 0);
+    const BestIterate after_4 = run(4);
+    CHECK(after_4.rank < start.rank);
+    // Two more steps fold more cells than they unfold.
+    const BestIterate after_6 = run(6);
+    CHECK(after_6.cycle == after_4.cycle);
+    CHECK(shapes::difference_in_cells(after_6.points, after_4.points) == 0);
+    CHECK(run(12).rank < after_4.rank);
 }
 
 TEST_CASE("what multigrid cannot do from a scattered start, the safeguards do") {

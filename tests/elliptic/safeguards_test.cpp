@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elliptic/elliptic_solver.h"
+#include "elliptic/fold_count.h"
 #include "elliptic/picard_iteration.h"
 #include "elliptic/poisson_equations.h"
 #include "elliptic/shapes.h"
@@ -53,7 +54,8 @@ TEST_CASE("both kinds of Picard steps end at the grid of the cycles") {
         for (const Safeguard kind : {Safeguard::anderson_picard, Safeguard::krylov_picard}) {
             PointField points = problem.points;
             SolveResult result;
-            iterate_picard(points, problem.parameters, {1e-6, 200}, kind, result);
+            BestIterate best(points);
+            iterate_picard(points, problem.parameters, {1e-6, 200}, kind, result, best);
             CHECK(result.status == SolveStatus::converged);
             CHECK(result.history.size() == static_cast<std::size_t>(result.cycles));
             CHECK(shapes::difference_in_cells(points, expected) < 1e-5);
@@ -67,7 +69,8 @@ TEST_CASE("Picard steps from the solution itself end at once, though it is not e
             for (const Safeguard kind : {Safeguard::anderson_picard, Safeguard::krylov_picard}) {
                 shapes::Problem problem = exact(e, offset);
                 SolveResult result;
-                iterate_picard(problem.points, problem.parameters, {1e-8, 50}, kind, result);
+                BestIterate best(problem.points);
+                iterate_picard(problem.points, problem.parameters, {1e-8, 50}, kind, result, best);
                 CHECK(result.status == SolveStatus::converged);
                 CHECK(result.cycles <= 2);
             }
@@ -98,6 +101,7 @@ TEST_CASE("where nothing helps all safeguards are told, and the points are finit
     const SolveResult result = solve_elliptic(problem.points, problem.parameters, {1e-3, 50});
     check_result(result);
     CHECK(result.status == SolveStatus::diverged);
+    CHECK(result.kept_cycle == 0);
     CHECK(result.safeguards == whole_chain);
     CHECK(is_finite(problem.points));
 }
@@ -109,6 +113,49 @@ TEST_CASE("too few cycles do not set off safeguards that were not asked to wait 
     CHECK(result.cycles == 3);
     CHECK(result.safeguards.empty());
     CHECK(is_finite(problem.points));
+}
+
+TEST_CASE("of cycles that run out the grid with the fewest folded cells is kept, never a worse") {
+    const auto run = [](int cycles, PointField& points) {
+        shapes::Problem problem = shapes::meander(65, 33, 1.9);
+        shapes::scatter(problem.points, {0, 0, 0}, {4, 2, 0});
+        const SolveResult result =
+            solve_elliptic(problem.points, problem.parameters, {1e-6, cycles});
+        CHECK(result.status == SolveStatus::not_converged);
+        CHECK(result.folded_after == count_folded(problem.points));
+        points = problem.points;
+        return result;
+    };
+    PointField kept;
+    SolveResult before = run(0, kept);
+    CHECK(before.kept_cycle == 0);
+    CHECK(before.folded_after == before.folded_before);
+    for (int cycles = 1; cycles <= 6; ++cycles) {
+        const PointField kept_before = kept;
+        const SolveResult result = run(cycles, kept);
+        REQUIRE(result.kept_cycle);
+        CHECK(result.folded_after <= before.folded_after);
+        // Either the last cycle brought a better grid, or that of fewer cycles stands.
+        if (*result.kept_cycle < cycles) {
+            CHECK(result.kept_cycle == before.kept_cycle);
+            CHECK(shapes::difference_in_cells(kept, kept_before) == 0);
+        }
+        before = result;
+    }
+    CHECK(*before.kept_cycle < 6);
+}
+
+TEST_CASE("a sound start grid stands where a few cycles fold it") {
+    // The wall turns by 1.5 radians within four cells: on the way to the solution cells fold.
+    const shapes::Problem start = shapes::meander(17, 9, 1.5);
+    REQUIRE(count_folded(start.points) == 0);
+    PointField points = start.points;
+    const SolveResult result = solve_elliptic(points, start.parameters, {1e-6, 3});
+    CHECK(result.status == SolveStatus::not_converged);
+    CHECK(result.kept_cycle == 0);
+    CHECK(result.cycles == 3);
+    CHECK(result.folded_after == 0);
+    CHECK(shapes::difference_in_cells(points, start.points) == 0);
 }
 
 TEST_CASE("a tolerance beyond what the digits of coordinates allow does not make a solve fail") {
