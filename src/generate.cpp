@@ -55,8 +55,10 @@ Generated generate(const Topology& topology, const Progress& progress) {
     Report report =
         timed(times, "measure", [&] { return measure(topology, edges, faces, blocks, grid); });
 
+    std::vector<Offender> offenders = find_offenders(report, faces, blocks);
+
     report.stages = std::move(times);
-    return {std::move(grid), std::move(report)};
+    return {std::move(grid), std::move(report), std::move(offenders)};
 }
 
 }  // namespace hexweave

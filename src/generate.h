@@ -9,6 +9,7 @@
 
 #include "core/diagnostics.h"
 #include "core/multiblock.h"
+#include "quality/offenders.h"
 #include "quality/report.h"
 #include "topology/read_case.h"
 #include "topology/topology.h"
@@ -21,6 +22,7 @@ using Progress = std::function<void(std::string_view stage, std::size_t done, st
 struct Generated {
     MultiblockGrid grid;
     Report report;
+    std::vector<Offender> offenders;  ///< faces and blocks that ended folded or unconverged
 };
 
 /// Stages 1 and 2: reads and resolves. Throws InputError, with every fault of both, when there are

@@ -14,6 +14,7 @@
 #include "commands/progress.h"
 #include "generate.h"
 #include "io/grid_file.h"
+#include "io/offender_files.h"
 #include "io/output_files.h"
 #include "io/report_text.h"
 #include "io/topology_text.h"
@@ -64,9 +65,13 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     const Generated made = generate(topology, make_progress(options.input.quiet));
     outcome.report = made.report;
     for (const ReservedOutput& output : reserved) write_grid(made.grid, output, files);
+    std::vector<OffenderFile> offenders =
+        write_offenders(made.offenders, made.grid.units, reserved.front().output.path, files);
     files.commit();
     for (const ReservedOutput& output : reserved) outcome.outputs.push_back(output.output.path);
+    outcome.offenders = std::move(offenders);
     const std::string written = fmt::format("{}", fmt::join(outcome.outputs, ", "));
+    const std::string where_to_look = offender_lines(outcome.offenders);
 
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     // With the JSON on standard output nothing else may stand there.
@@ -74,10 +79,10 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     if (!options.input.quiet) {
         fmt::print(out, "{}{}\n", adjusted_counts_text(topology),
                    to_text(made.report, options.input.verbose));
-        fmt::print(out, "{}\n", verdict(made.report));
+        fmt::print(out, "{}\n{}", verdict(made.report), where_to_look);
         fmt::print(out, "wrote {} in {:.2f} s\n", written, taken.count());
     } else if (!made.report.sound()) {
-        fmt::print(stderr, "{}: {}\n", written, verdict(made.report));
+        fmt::print(stderr, "{}: {}\n{}", written, verdict(made.report), where_to_look);
     }
     return made.report.sound() ? ExitCode::done : ExitCode::not_sound;
 }

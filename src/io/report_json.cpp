@@ -80,6 +80,7 @@ Json solve(const SolveMeasure& s) {
             {"rate", json_of(s.result.rate)},
             {"history", history},
             {"safeguards", safeguards},
+            {"kept_cycle", s.result.kept_cycle ? Json(*s.result.kept_cycle) : Json(nullptr)},
             {"folded_before", s.result.folded_before},
             {"folded_after", s.result.folded_after},
             {"untangling", s.result.untangling ? untangling(*s.result.untangling) : Json(nullptr)},
@@ -113,6 +114,10 @@ Json planned(const PlannedGrid& g) {
             {"memory", json_of(g.memory)},
             {"threads", g.threads},
             {"adjusted_counts", json_list(g.adjusted_counts, adjusted_count)}};
+}
+
+Json offender(const OffenderFile& o) {
+    return {{"name", o.name}, {"kind", o.is_block ? "block" : "face"}, {"file", o.path}};
 }
 
 Json report_json(const Report& r) {
@@ -154,6 +159,7 @@ std::string to_json(const Outcome& outcome) {
               {"config", outcome.config},
               {"exit_code", outcome.exit_code},
               {"outputs", outcome.outputs},
+              {"offenders", json_list(outcome.offenders, offender)},
               {"diagnostics", json_list(outcome.diagnostics.all(), diagnostic)},
               {"failure", outcome.failure},
               {"grids", json_list(outcome.grids, planned)}};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/diagnostics.h"
+#include "io/offender_files.h"
 #include "io/planned_grid.h"
 #include "quality/report.h"
 
@@ -17,7 +18,8 @@ struct Outcome {
     std::string command;  ///< "run" or "check"
     std::string config;   ///< as named on the command line
     int exit_code = 0;
-    std::vector<std::string> outputs;  ///< files that were written
+    std::vector<std::string> outputs;     ///< files that were written
+    std::vector<OffenderFile> offenders;  ///< likewise, of what ended folded or unconverged
     Diagnostics diagnostics;
     std::string failure;             ///< what the machine failed at; empty when it did not
     std::vector<PlannedGrid> grids;  ///< that were resolved

@@ -92,6 +92,14 @@ std::string safeguard_line(const SolveResult& result) {
     return text + "\n";
 }
 
+/// Which grid stands where a solve did not converge.
+std::string kept_line(const SolveResult& result) {
+    if (!result.kept_cycle) return {};
+    if (*result.kept_cycle == 0) return "  kept: the start grid; no cycle gave a better one\n";
+    return fmt::format("  kept: the best grid, of cycle {} of {}\n", *result.kept_cycle,
+                       result.history.size());
+}
+
 /// Where untangling acted, how far points moved, and where it failed.
 std::string untangling_line(const SolveResult& result) {
     if (!result.untangling) return {};
@@ -160,7 +168,7 @@ std::string solve_table(const Report& report, bool verbose) {
                     "nodes", "status", "cycles", "rate", "displacement", "folded before", "after");
     for (const SolveMeasure& s : report.solves) {
         const SolveResult& r = s.result;
-        text += solve_row(s, width) + safeguard_line(r) + untangling_line(r) +
+        text += solve_row(s, width) + safeguard_line(r) + kept_line(r) + untangling_line(r) +
                 orthogonality_line(r, verbose) + off_surface_line(s, verbose);
         if (!verbose) continue;
         if (!s.flat_at.empty()) {
@@ -317,10 +325,7 @@ std::vector<std::string> faults(const Report& report) {
                                         s.is_block ? "block" : "face", s.name,
                                         place_text(*s.result.untangling->left_at)));
         }
-        if (s.result.status == SolveStatus::converged ||
-            s.result.status == SolveStatus::algebraic) {
-            continue;
-        }
+        if (s.has_converged()) continue;
         found.push_back(fmt::format("{} '{}' {} after {} (displacement {:.1e} cells, asked {:.1e})",
                                     s.is_block ? "block" : "face", s.name,
                                     status_name(s.result.status),

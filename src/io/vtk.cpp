@@ -25,25 +25,34 @@ std::string attribute(const std::string& text) {
 }
 
 /// A text as VTK keeps it in a file: the codes of its bytes, and a zero.
-std::string field(const char* name, const std::string& text) {
+std::string field(const VtkText& text) {
     std::string codes;
-    for (const char c : text) codes += fmt::format("{} ", static_cast<unsigned char>(c));
+    for (const char c : text.text) codes += fmt::format("{} ", static_cast<unsigned char>(c));
     return fmt::format(
         "      <Array type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">\n"
         "        {}0\n      </Array>\n",
-        name, codes);
+        text.name, codes);
 }
 
-std::string field_data(const MultiblockGrid& grid, const VtkPiece& piece) {
-    std::string text = field("Zone", grid.zones[static_cast<std::size_t>(piece.zone)].name);
-    if (!grid.units.empty()) text += field("Units", grid.units);
+std::string field_data(const std::vector<VtkText>& texts) {
+    std::string all = "    <FieldData>\n";
+    for (const VtkText& text : texts) {
+        if (!text.text.empty()) all += field(text);
+    }
+    return all + "    </FieldData>\n";
+}
+
+std::vector<VtkText> texts_of(const MultiblockGrid& grid, const VtkPiece& piece) {
+    std::vector<VtkText> texts{{"Zone", grid.zones[static_cast<std::size_t>(piece.zone)].name},
+                               {"Units", grid.units}};
     if (piece.patch >= 0) {
         const BoundaryPatch& patch = grid.patches[static_cast<std::size_t>(piece.patch)];
         const Family& family = grid.families[static_cast<std::size_t>(patch.family)];
-        text +=
-            field("Patch", patch.name) + field("Family", family.name) + field("Type", family.type);
+        texts.push_back({"Patch", patch.name});
+        texts.push_back({"Family", family.name});
+        texts.push_back({"Type", family.type});
     }
-    return "    <FieldData>\n" + text + "    </FieldData>\n";
+    return texts;
 }
 
 std::string extent_text(const IndexBox& box) {
@@ -51,11 +60,16 @@ std::string extent_text(const IndexBox& box) {
                        box.end[2] - box.begin[2]);
 }
 
-void write_points(const PointField& points, const IndexBox& box, ByteWriter& file) {
+std::uint64_t bytes_of_points(const IndexBox& box) {
     std::uint64_t bytes = 3 * sizeof(double);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         bytes *= static_cast<std::uint64_t>(box.end[axis] - box.begin[axis] + 1);
     }
+    return bytes;
+}
+
+void write_points(const PointField& points, const IndexBox& box, ByteWriter& file) {
+    const std::uint64_t bytes = bytes_of_points(box);
     file.put(&bytes, sizeof bytes);
     std::vector<Vec3> row;
     for (int k = box.begin[2]; k <= box.end[2]; ++k) {
@@ -65,6 +79,43 @@ void write_points(const PointField& points, const IndexBox& box, ByteWriter& fil
             file.put(row.data(), row.size() * sizeof(Vec3));
         }
     }
+}
+
+void write_values(const std::vector<double>& values, ByteWriter& file) {
+    const std::uint64_t bytes = values.size() * sizeof(double);
+    file.put(&bytes, sizeof bytes);
+    file.put(values.data(), bytes);
+}
+
+/// The part of a grid's points in a box, as a file of its own. Points come first in the appended
+/// data, then the arrays; each begins with its number of bytes.
+void write_box(const PointField& points, const IndexBox& box, const std::vector<VtkText>& texts,
+               const std::vector<VtkCellArray>& cells, const std::filesystem::path& path) {
+    ByteWriter file(path);
+    const std::string extent = extent_text(box);
+    file.put(head("StructuredGrid"));
+    file.put(
+        fmt::format("  <StructuredGrid WholeExtent=\"{}\">\n{}    <Piece Extent=\"{}\">\n"
+                    "      <PointData/>\n      <CellData>\n",
+                    extent, field_data(texts), extent));
+    std::uint64_t offset = sizeof(std::uint64_t) + bytes_of_points(box);
+    for (const VtkCellArray& array : cells) {
+        file.put(
+            fmt::format("        <DataArray type=\"Float64\" Name=\"{}\" format=\"appended\" "
+                        "offset=\"{}\"/>\n",
+                        attribute(array.name), offset));
+        offset += sizeof(std::uint64_t) + array.values.size() * sizeof(double);
+    }
+    file.put(
+        "      </CellData>\n      <Points>\n"
+        "        <DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" "
+        "format=\"appended\" offset=\"0\"/>\n"
+        "      </Points>\n    </Piece>\n  </StructuredGrid>\n"
+        "  <AppendedData encoding=\"raw\">\n_");
+    write_points(points, box, file);
+    for (const VtkCellArray& array : cells) write_values(array.values, file);
+    file.put("\n  </AppendedData>\n</VTKFile>\n");
+    file.close();
 }
 
 void write_data_set(const VtkPiece& piece, std::size_t index, const std::string& name,
@@ -90,24 +141,16 @@ std::vector<VtkPiece> vtk_pieces(const MultiblockGrid& grid) {
     return pieces;
 }
 
+void write_vtk_grid(const PointField& points, const std::vector<VtkText>& texts,
+                    const std::vector<VtkCellArray>& cells, const std::filesystem::path& path) {
+    const Extent& e = points.extent();
+    write_box(points, {{0, 0, 0}, {e.ni - 1, e.nj - 1, e.nk - 1}}, texts, cells, path);
+}
+
 void write_vtk_piece(const MultiblockGrid& grid, const VtkPiece& piece,
                      const std::filesystem::path& path) {
-    ByteWriter file(path);
-    const std::string extent = extent_text(piece.box);
-    file.put(head("StructuredGrid"));
-    file.put(fmt::format("  <StructuredGrid WholeExtent=\"{}\">\n", extent));
-    file.put(field_data(grid, piece));
-    file.put(
-        fmt::format("    <Piece Extent=\"{}\">\n"
-                    "      <PointData/>\n      <CellData/>\n      <Points>\n"
-                    "        <DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" "
-                    "format=\"appended\" offset=\"0\"/>\n"
-                    "      </Points>\n    </Piece>\n  </StructuredGrid>\n"
-                    "  <AppendedData encoding=\"raw\">\n_",
-                    extent));
-    write_points(grid.zones[static_cast<std::size_t>(piece.zone)].points, piece.box, file);
-    file.put("\n  </AppendedData>\n</VTKFile>\n");
-    file.close();
+    write_box(grid.zones[static_cast<std::size_t>(piece.zone)].points, piece.box,
+              texts_of(grid, piece), {}, path);
 }
 
 void write_vtk_index(const MultiblockGrid& grid, const std::vector<VtkPiece>& pieces,

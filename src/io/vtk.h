@@ -11,6 +11,12 @@
 
 namespace hexweave {
 
+/// A text that goes with a grid.
+struct VtkText {
+    std::string name;
+    std::string text;
+};
+
 /// One structured grid: a zone, or the nodes of a boundary patch.
 struct VtkPiece {
     std::string file;  ///< "zone1.vts", "patch1.vts"
@@ -21,6 +27,17 @@ struct VtkPiece {
 
 /// The zones, then the patches, each in the order of the grid.
 std::vector<VtkPiece> vtk_pieces(const MultiblockGrid& grid);
+
+/// A value for every cell of a grid, i fastest.
+struct VtkCellArray {
+    std::string name;
+    const std::vector<double>& values;
+};
+
+/// Writes a grid on its own (.vts) with values at its cells and texts as field data. Throws
+/// MachineError.
+void write_vtk_grid(const PointField& points, const std::vector<VtkText>& texts,
+                    const std::vector<VtkCellArray>& cells, const std::filesystem::path& path);
 
 /// Writes one piece: points as doubles, appended raw; names and units as field data (Zone and
 /// Units; Patch, Family and Type on patches). Throws MachineError.

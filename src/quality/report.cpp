@@ -36,11 +36,8 @@ std::size_t Report::mismatched() const {
 }
 
 std::size_t Report::unconverged() const {
-    return static_cast<std::size_t>(
-        std::count_if(solves.begin(), solves.end(), [](const SolveMeasure& s) {
-            return s.result.status == SolveStatus::not_converged ||
-                   s.result.status == SolveStatus::diverged;
-        }));
+    const auto failed = [](const SolveMeasure& s) { return !s.has_converged(); };
+    return static_cast<std::size_t>(std::count_if(solves.begin(), solves.end(), failed));
 }
 
 std::size_t Report::missed_gates() const {

@@ -50,6 +50,12 @@ struct SolveMeasure {
     std::vector<std::string> flat_at;
     std::vector<HeightMeasure> heights{};
     std::optional<OffSurface> off_surface{};  ///< of the edges of a face on surfaces
+
+    /// Converged, or nothing was to be solved.
+    bool has_converged() const {
+        return result.status == SolveStatus::converged || result.status == SolveStatus::algebraic;
+    }
+    bool ended_well() const { return has_converged() && result.folded_after == 0; }
 };
 
 /// The cells of one zone, measured anew from its points.
