@@ -86,6 +86,16 @@ Interface join(const Use& own, const Use& donor, std::string name) {
     return result;
 }
 
+/// The interface between the uses of two sides of which one is the image of the other.
+Interface join_periodic(const Use& from, const Use& to, const PeriodicPair& pair,
+                        const Periodicity& periodicity, std::string name) {
+    Use donor = to;
+    donor.orientation = compose(to.orientation, pair.orientation);
+    Interface result = join(from, donor, std::move(name));
+    result.periodic = periodicity;
+    return result;
+}
+
 /// The names of interfaces and patches: those of the entities, cut to the 32 bytes of a CGNS name
 /// and told apart by a hash of the whole name (FNV-1a) where they are longer.
 std::string short_name(const std::string& name, std::set<std::string>& taken) {
@@ -105,6 +115,27 @@ std::string short_name(const std::string& name, std::set<std::string>& taken) {
         if (taken.insert(result).second) return result;
         hashed += '+';
     }
+}
+
+/// The interfaces between sides and their images: of the name of the periodic interface, or of it
+/// and of the side where it has several. Returns how many sides they join.
+std::size_t add_periodic(const Topology& topology, const Uses& uses, std::set<std::string>& taken,
+                         MultiblockGrid& grid) {
+    std::size_t joined = 0;
+    for (const PeriodicInterface& interface : topology.periodic) {
+        for (const PeriodicPair& pair : interface.pairs) {
+            const auto from = static_cast<std::size_t>(pair.from);
+            const std::string& side =
+                topology.is_3d() ? topology.faces[from].name : topology.edges[from].name;
+            const std::string name =
+                interface.pairs.size() == 1 ? interface.name : interface.name + "-" + side;
+            grid.interfaces.push_back(
+                join_periodic(uses[from][0], uses[static_cast<std::size_t>(pair.to)][0], pair,
+                              interface.periodicity, short_name(name, taken)));
+            joined += 2;
+        }
+    }
+    return joined;
 }
 
 std::vector<Zone> zones(const Topology& topology, const std::vector<FaceGrid>& faces,
@@ -147,6 +178,7 @@ MultiblockGrid assemble(const Topology& topology, const std::vector<FaceGrid>& f
             grid.interfaces.push_back(join(uses[n][0], uses[n][1], names[n]));
         }
     }
+    free_sides -= add_periodic(topology, uses, taken, grid);
     for (const Boundary& boundary : topology.boundaries) {
         const int family = static_cast<int>(grid.families.size());
         grid.families.push_back(boundary.family);

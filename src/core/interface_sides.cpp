@@ -18,11 +18,8 @@ Interface forwards(Interface interface) {
 }
 
 Interface other_side(const Interface& interface) {
-    std::optional<Periodicity> back = interface.periodic;
-    if (back) {
-        back->angle = -back->angle;
-        back->translation = -back->translation;
-    }
+    std::optional<Periodicity> back;
+    if (interface.periodic) back = backwards(*interface.periodic);
     return forwards({interface.name, interface.donor, interface.donor_box, interface.zone,
                      interface.box, inverse(interface.orientation), back});
 }

@@ -27,6 +27,11 @@ struct Periodicity {
     Vec3 translation;
 };
 
+/// What carries the donor's nodes back, for a turn about one of the axes or a translation.
+inline Periodicity backwards(const Periodicity& periodicity) {
+    return {periodicity.center, Vec3{} - periodicity.angle, Vec3{} - periodicity.translation};
+}
+
 /// A one-to-one interface, stored once; the writers write it on both sides. `box` runs forwards;
 /// `donor_box` holds the donor nodes of box.begin and box.end. `orientation` takes the axes of
 /// `zone` to those of `donor`. Zone and donor may be the same (a cut).

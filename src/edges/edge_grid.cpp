@@ -84,6 +84,31 @@ EdgeGrid pole_grid(const Topology& topology, const Edge& edge) {
     return grid;
 }
 
+/// The points of an edge that is the image of another one, whose points are known. Its ends are its
+/// vertices, which are images too.
+void place_image(const Topology& topology, const Edge& edge, const EdgeGrid& of, EdgeGrid& grid) {
+    const PeriodicMap map = image_map(topology, *edge.image);
+    const std::size_t last = grid.points.size() - 1;
+    for (std::size_t i = 1; i < last; ++i) {
+        const Vec3& point = of.points[edge.image->reversed() ? last - i : i];
+        grid.points[i] = on_planes(image(map, point), edge, topology.planar);
+    }
+}
+
+/// Carries points over to images, and from there on to images of these.
+void place_images(const Topology& topology, std::vector<EdgeGrid>& grids) {
+    std::vector<bool> done(grids.size());
+    const auto place = [&](std::size_t e, const auto& recurse) -> void {
+        const Edge& edge = topology.edges[e];
+        if (done[e] || !edge.image) return;
+        done[e] = true;
+        const auto of = static_cast<std::size_t>(edge.image->of);
+        recurse(of, recurse);
+        place_image(topology, edge, grids[of], grids[e]);
+    };
+    for (std::size_t e = 0; e < grids.size(); ++e) place(e, place);
+}
+
 }  // namespace
 
 std::vector<EdgeGrid> make_edges(const Topology& topology) {
@@ -110,6 +135,7 @@ std::vector<EdgeGrid> make_edges(const Topology& topology) {
     parallel_for(count, [&](std::size_t e) {
         if (tables[e]) place_points(topology, topology.edges[e], *tables[e], grids[e]);
     });
+    place_images(topology, grids);
     return grids;
 }
 

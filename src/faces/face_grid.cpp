@@ -123,6 +123,24 @@ FaceGrid make_face(const Face& face, const std::vector<EdgeGrid>& edges, bool pl
     return grid;
 }
 
+/// A face that is the image of another one: its inner points are carried over, its boundary is that
+/// of its edges, which are images too.
+FaceGrid image_of_face(const Topology& topology, const Face& face, const FaceGrid& of,
+                       const std::vector<EdgeGrid>& edges) {
+    FaceGrid grid;
+    grid.points = face_boundary(face, edges);
+    const PeriodicMap map = image_map(topology, *face.image);
+    const Extent e = grid.points.extent();
+    for (int j = 1; j + 1 < e.nj; ++j) {
+        for (int i = 1; i + 1 < e.ni; ++i) {
+            const Node n = map_node(face.image->orientation, {i, j, 0}, of.points.extent());
+            grid.points.set(i, j, 0, image(map, of.points(n[0], n[1])));
+        }
+    }
+    grid.flat_corners = flat_corners(grid.points, false);
+    return grid;
+}
+
 }  // namespace
 
 std::vector<FaceGrid> make_faces(const Topology& topology, const std::vector<EdgeGrid>& edges,
@@ -131,8 +149,15 @@ std::vector<FaceGrid> make_faces(const Topology& topology, const std::vector<Edg
     for (const Face& face : topology.faces) sizes.push_back(face.extent().nodes());
     std::vector<FaceGrid> grids(topology.faces.size());
     largest_first(sizes, done, [&](std::size_t index) {
-        grids[index] = make_face(topology.faces[index], edges, topology.planar);
+        const Face& face = topology.faces[index];
+        if (!face.image) grids[index] = make_face(face, edges, topology.planar);
     });
+    for (std::size_t index = 0; index < grids.size(); ++index) {
+        const Face& face = topology.faces[index];
+        if (!face.image) continue;
+        const FaceGrid& of = grids[static_cast<std::size_t>(face.image->of)];
+        grids[index] = image_of_face(topology, face, of, edges);
+    }
     return grids;
 }
 

@@ -83,11 +83,23 @@ Range point_range(const IndexBox& box, int dimension) {
     return range;
 }
 
+/// Of a planar grid two, but three where an interface turns it: CGNS has as many angles as this,
+/// and a plane's own would be the third.
+int physical_dimension_of(const MultiblockGrid& grid) {
+    for (const Interface& interface : grid.interfaces) {
+        if (interface.periodic && interface.periodic->angle != Vec3{}) return 3;
+    }
+    return grid.physical_dimension;
+}
+
 class Writer {
 public:
     Writer(const MultiblockGrid& grid, const std::filesystem::path& path,
            std::filesystem::path shown)
-        : grid_(grid), shown_(std::move(shown)), file_(path, CG_MODE_WRITE) {
+        : grid_(grid),
+          physical_dimension_(physical_dimension_of(grid)),
+          shown_(std::move(shown)),
+          file_(path, CG_MODE_WRITE) {
         // libcgns listens to no errors while it opens a file; the system's last one must do.
         if (!file_.is_open()) fail(file_.error_number());
         errors_.listen();
@@ -127,8 +139,7 @@ private:
     }
 
     void write_base() {
-        check(cg_base_write(file_, base_name, grid_.cell_dimension, grid_.physical_dimension,
-                            &base_));
+        check(cg_base_write(file_, base_name, grid_.cell_dimension, physical_dimension_, &base_));
         check(cg_goto(file_, base_, "end"));
         if (!grid_.title.empty()) check(cg_descriptor_write(title_descriptor, grid_.title.c_str()));
         if (!grid_.provenance.empty()) {
@@ -165,7 +176,7 @@ private:
         check(cg_zone_write(file_, base_, zone.name.c_str(), size.data(), Structured, &number));
         write_coordinate(number, "CoordinateX", zone.points.x);
         write_coordinate(number, "CoordinateY", zone.points.y);
-        if (grid_.physical_dimension == 3) write_coordinate(number, "CoordinateZ", zone.points.z);
+        if (physical_dimension_ == 3) write_coordinate(number, "CoordinateZ", zone.points.z);
     }
 
     void write_coordinate(int zone, const char* name, const Field& values) const {
@@ -207,6 +218,21 @@ private:
         check(cg_1to1_periodic_write(file_, base_, zone, number, single(periodic.center).data(),
                                      single(periodic.angle).data(),
                                      single(periodic.translation).data()));
+        const std::array<double, 5> length{0, 1, 0, 0, 0};
+        const std::array<double, 5> angle{0, 0, 0, 0, 1};
+        write_units_of(zone, number, "RotationCenter", length);
+        write_units_of(zone, number, "RotationAngle", angle);
+        write_units_of(zone, number, "Translation", length);
+    }
+
+    /// Units beside a part of a periodicity, where solvers look for them.
+    void write_units_of(int zone, int interface, const char* part,
+                        const std::array<double, 5>& exponents) const {
+        check(cg_goto(file_, base_, "Zone_t", zone, "ZoneGridConnectivity_t", 1,
+                      "GridConnectivity1to1_t", interface, "GridConnectivityProperty_t", 1,
+                      "Periodic_t", 1, part, 0, "end"));
+        write_units();
+        check(cg_exponents_write(RealDouble, exponents.data()));
     }
 
     void write_patches() const {
@@ -227,6 +253,7 @@ private:
     }
 
     const MultiblockGrid& grid_;
+    int physical_dimension_;
     std::filesystem::path shown_;
     Hdf5Errors errors_;
     CgnsFile file_;

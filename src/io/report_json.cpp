@@ -132,6 +132,7 @@ Json report_json(const Report& r) {
             {"interfaces", json_list(r.interfaces,
                                      [](const InterfaceMeasure& i) {
                                          return Json{{"name", i.name},
+                                                     {"periodic", i.periodic},
                                                      {"mismatched", i.mismatched},
                                                      {"growth", json_of(i.growth)}};
                                      })},

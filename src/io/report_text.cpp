@@ -365,12 +365,17 @@ std::string verdict(const Report& report) {
         for (std::size_t f = 0; f < found.size(); ++f) text += (f > 0 ? "; " : "") + found[f];
         return text;
     }
-    return fmt::format(
+    const auto periodic = static_cast<std::size_t>(
+        std::count_if(report.interfaces.begin(), report.interfaces.end(),
+                      [](const InterfaceMeasure& i) { return i.periodic; }));
+    std::string text = fmt::format(
         "sound: {}, {}, none folded, worst scaled Jacobian {:.4g} in '{}', {} "
         "the same to the last bit",
         counted(report.zones.size(), "zone"), counted(report.cells, "cell"),
         report.worst_scaled_jacobian(), worst_zone(report).name,
-        counted(report.interfaces.size(), "interface"));
+        counted(report.interfaces.size() - periodic, "interface"));
+    if (periodic > 0) text += fmt::format(", {} periodic", periodic);
+    return text;
 }
 
 }  // namespace hexweave

@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "topology/limits.h"
+#include "topology/text.h"
 
 namespace hexweave {
 namespace {
@@ -20,6 +21,28 @@ std::string boundary_line(const Topology& topology, const Boundary& boundary) {
     for (const int side : boundary.sides) {
         const auto s = static_cast<std::size_t>(side);
         text += " " + (topology.is_3d() ? topology.faces[s].name : topology.edges[s].name);
+    }
+    return text + "\n";
+}
+
+std::string map_text(const Periodicity& periodicity) {
+    const Vec3& t = periodicity.translation;
+    if (t != Vec3{}) return "translation " + point_text(t);
+    const Vec3& a = periodicity.angle;
+    const char axis = a.x != 0 ? 'x' : a.y != 0 ? 'y' : 'z';
+    return fmt::format("rotation about {} by {} through {}", axis, number_text(a.x + a.y + a.z),
+                       point_text(periodicity.center));
+}
+
+std::string periodic_line(const Topology& topology, const PeriodicInterface& interface) {
+    std::string text = fmt::format("  {:<24} {}:", interface.name, map_text(interface.periodicity));
+    const auto name = [&](int side) {
+        const auto s = static_cast<std::size_t>(side);
+        return topology.is_3d() ? topology.faces[s].name : topology.edges[s].name;
+    };
+    for (const PeriodicPair& pair : interface.pairs) {
+        text += fmt::format(" {} -> {}", name(pair.from), name(pair.to));
+        if (&pair != &interface.pairs.back()) text += ',';
     }
     return text + "\n";
 }
@@ -49,6 +72,8 @@ std::string to_text(const Topology& topology) {
     }
     text += "boundaries:\n";
     for (const Boundary& b : topology.boundaries) text += boundary_line(topology, b);
+    if (!topology.periodic.empty()) text += "periodic:\n";
+    for (const PeriodicInterface& p : topology.periodic) text += periodic_line(topology, p);
     text += adjusted_counts_text(topology);
     text += fmt::format("memory: about {:.2g} GB on {} {}\n",
                         estimated_bytes(topology, threads()) / 1e9, threads(),

@@ -2,6 +2,7 @@
 #include "quality/grid_quality.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "quality/cell_statistics.h"
 #include "quality/lines_across.h"
@@ -109,8 +110,10 @@ GridQuality measure_quality(const MultiblockGrid& grid, int worst_count) {
         quality.zones.back().bends = measure_bends(zone.points);
     }
     for (const Interface& interface : grid.interfaces) {
+        // CGNS files keep what carries periodic interfaces in single precision.
+        constexpr double epsilon = std::numeric_limits<float>::epsilon();
         quality.interfaces.push_back(
-            {measure_interface(grid, interface), measure_bends(grid, interface)});
+            {measure_interface(grid, interface, epsilon), measure_bends(grid, interface)});
     }
     quality.boundaries = measure_boundaries(grid);
     return quality;

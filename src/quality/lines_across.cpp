@@ -2,6 +2,9 @@
 #include "quality/lines_across.h"
 
 #include <cstddef>
+#include <optional>
+
+#include "core/periodic_image.h"
 
 namespace hexweave {
 
@@ -33,6 +36,8 @@ void for_lines_across(const MultiblockGrid& grid, const Interface& interface,
                       const std::function<void(const Vec3&, const Vec3&, const Vec3&)>& visit) {
     const PointField& own = grid.zones[static_cast<std::size_t>(interface.zone)].points;
     const PointField& donor = grid.zones[static_cast<std::size_t>(interface.donor)].points;
+    std::optional<PeriodicMap> map;
+    if (interface.periodic) map = periodic_map(*interface.periodic);
     const IndexBox& box = interface.box;
     const Node inward = inward_step(box, own.extent());
     const Node onward = inward_step(interface.donor_box, donor.extent());
@@ -41,7 +46,14 @@ void for_lines_across(const MultiblockGrid& grid, const Interface& interface,
             for (int i = box.begin[0]; i <= box.end[0]; ++i) {
                 const Node n{i, j, k};
                 const Node m = donor_node(interface, n);
-                visit(at(own, n + inward), at(own, n), at(donor, m + onward));
+                const Vec3 before = at(own, n + inward);
+                const Vec3 behind = at(donor, m + onward);
+                if (map) {
+                    const Vec3 here = at(donor, m);
+                    visit(here + image_of_way(*map, before - at(own, n)), here, behind);
+                } else {
+                    visit(before, at(own, n), behind);
+                }
             }
         }
     }

@@ -11,7 +11,7 @@ namespace hexweave {
 
 /// Calls visit(before, at, behind) for every node of an interface: the node before it in the
 /// interface's own zone, the node itself, and the one behind it in the donor. (Across a periodic
-/// interface the donor's nodes are where the donor is.)
+/// interface all three are where the donor is: the first one is turned with the interface.)
 void for_lines_across(const MultiblockGrid& grid, const Interface& interface,
                       const std::function<void(const Vec3&, const Vec3&, const Vec3&)>& visit);
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/parallel.h"
+#include "core/periodic_image.h"
 #include "quality/cell_corners.h"
 #include "quality/gates.h"
 
@@ -40,16 +42,28 @@ void measure_cells(const PointField& x, bool planar, ZoneMeasure& zone) {
     }
 }
 
-std::size_t count_mismatched(const MultiblockGrid& grid, const Interface& interface) {
+/// Whether a node is that of the donor, to the last bit; across a periodic interface, whether its
+/// image is, but for the round-off where other interfaces lead to the same node.
+bool matches(const Vec3& own, const Vec3& donor, const std::optional<PeriodicMap>& map,
+             double epsilon) {
+    if (!map) return own == donor;
+    return distance(image(*map, own), donor) <= image_rounding(*map, own, epsilon);
+}
+
+std::size_t count_mismatched(const MultiblockGrid& grid, const Interface& interface,
+                             double epsilon) {
     const PointField& own = grid.zones[static_cast<std::size_t>(interface.zone)].points;
     const PointField& donor = grid.zones[static_cast<std::size_t>(interface.donor)].points;
+    std::optional<PeriodicMap> map;
+    if (interface.periodic) map = periodic_map(*interface.periodic);
     std::size_t mismatched = 0;
     const IndexBox& box = interface.box;
     for (int k = box.begin[2]; k <= box.end[2]; ++k) {
         for (int j = box.begin[1]; j <= box.end[1]; ++j) {
             for (int i = box.begin[0]; i <= box.end[0]; ++i) {
                 const Node other = donor_node(interface, {i, j, k});
-                if (!(own(i, j, k) == donor(other[0], other[1], other[2]))) ++mismatched;
+                if (!matches(own(i, j, k), donor(other[0], other[1], other[2]), map, epsilon))
+                    ++mismatched;
             }
         }
     }
@@ -99,8 +113,10 @@ ZoneMeasure measure_zone(const Zone& zone, int physical_dimension) {
     return measure;
 }
 
-InterfaceMeasure measure_interface(const MultiblockGrid& grid, const Interface& interface) {
-    return {interface.name, count_mismatched(grid, interface), measure_growth(grid, interface)};
+InterfaceMeasure measure_interface(const MultiblockGrid& grid, const Interface& interface,
+                                   double epsilon) {
+    return {interface.name, count_mismatched(grid, interface, epsilon),
+            measure_growth(grid, interface), interface.periodic.has_value()};
 }
 
 Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,

@@ -3,6 +3,7 @@
 // interfaces and spacings are computed anew from the points.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "blocks/block_grid.h"
@@ -21,8 +22,10 @@ namespace hexweave {
 /// A surface zone is measured against +z when `physical_dimension` is 2.
 ZoneMeasure measure_zone(const Zone& zone, int physical_dimension);
 
-/// Whether the nodes on the two sides of an interface are the same, and the growth across it.
-InterfaceMeasure measure_interface(const MultiblockGrid& grid, const Interface& interface);
+/// Whether the nodes on the two sides of an interface are the same (images of each other where it
+/// is periodic, to the round-off of numbers of this epsilon), and the growth across it.
+InterfaceMeasure measure_interface(const MultiblockGrid& grid, const Interface& interface,
+                                   double epsilon = std::numeric_limits<double>::epsilon());
 
 /// All measures of a run; `stages` is left empty.
 Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,

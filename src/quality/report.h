@@ -78,8 +78,11 @@ struct ZoneMeasure {
 
 struct InterfaceMeasure {
     std::string name;
-    std::size_t mismatched = 0;  ///< nodes that are not the same to the last bit on its two sides
-    GrowthMeasure growth;        ///< across it
+    /// Nodes that are not the same to the last bit on its two sides; of a periodic one, not the
+    /// images to round-off.
+    std::size_t mismatched = 0;
+    GrowthMeasure growth;  ///< across it
+    bool periodic = false;
 };
 
 /// A vertex or an edge that was put onto surfaces: how far it was from them at most, and where.

@@ -11,70 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "topology/grid_sides.h"
+
 namespace hexweave {
 
 namespace {
 
-/// The sides of the grid as boundaries see them: edges of faces, or faces of blocks.
-struct Sides {
-    std::string kind;                     ///< "edge" or "face"
-    std::string user;                     ///< "face" or "block"
-    std::vector<std::vector<int>> users;  ///< for every side the faces (blocks) that have it
-    std::vector<std::string> names;       ///< of the sides
-    std::vector<Place> places;            ///< of the sides
-    std::vector<std::string> names_of_users;
-    std::vector<int> collapsed;  ///< 0, or by how many dimensions a side is less than the others
-};
-
-Sides sides_of(const Topology& topology, bool three_dimensional) {
-    Sides sides;
-    sides.kind = three_dimensional ? "face" : "edge";
-    sides.user = three_dimensional ? "block" : "face";
-    const auto enter = [&](const auto& entities) {
-        for (const auto& entity : entities) {
-            sides.names.push_back(entity.name);
-            sides.places.push_back(entity.place);
-        }
-        sides.users.resize(entities.size());
-    };
-    if (three_dimensional) {
-        enter(topology.faces);
-        for (const Face& face : topology.faces) {
-            sides.collapsed.push_back((face.collapsed[0] ? 1 : 0) + (face.collapsed[1] ? 1 : 0));
-        }
-        for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-            sides.names_of_users.push_back(topology.blocks[b].name);
-            for (const BlockSide& side : topology.blocks[b].sides) {
-                for (const FaceUse& use : side.faces) {
-                    sides.users[static_cast<std::size_t>(use.face)].push_back(static_cast<int>(b));
-                }
-            }
-        }
-        return sides;
-    }
-    enter(topology.edges);
-    for (const Edge& edge : topology.edges) sides.collapsed.push_back(edge.pole ? 1 : 0);
-    for (std::size_t f = 0; f < topology.faces.size(); ++f) {
-        sides.names_of_users.push_back(topology.faces[f].name);
-        for (const auto& side : topology.faces[f].sides) {
-            for (const EdgeUse& use : side) {
-                sides.users[static_cast<std::size_t>(use.edge)].push_back(static_cast<int>(f));
-            }
-        }
-    }
-    return sides;
-}
-
-std::string users_text(const Sides& sides, const std::vector<int>& users) {
-    std::vector<std::string> names;
-    for (const int user : users) {
-        const std::string& name = sides.names_of_users[static_cast<std::size_t>(user)];
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-    return fmt::format("{}{} {}", sides.user, names.size() == 1 ? "" : "s", listed(names));
-}
-
-void check_sharing(const Sides& sides, Diagnostics& diagnostics) {
+void check_sharing(const GridSides& sides, Diagnostics& diagnostics) {
     for (std::size_t n = 0; n < sides.users.size(); ++n) {
         if (sides.collapsed[n] > 0 && sides.users[n].size() == 2) {
             diagnostics.error(
@@ -97,12 +40,25 @@ struct Claim {
     Place place;
 };
 
+/// For every side the periodic interface that has it, or none.
+std::vector<const PeriodicInterface*> periodic_sides(const Topology& topology, std::size_t count) {
+    std::vector<const PeriodicInterface*> interfaces(count);
+    for (const PeriodicInterface& interface : topology.periodic) {
+        for (const PeriodicPair& pair : interface.pairs) {
+            interfaces[static_cast<std::size_t>(pair.from)] = &interface;
+            interfaces[static_cast<std::size_t>(pair.to)] = &interface;
+        }
+    }
+    return interfaces;
+}
+
 class Assignment {
 public:
-    Assignment(Network& network, const Sides& sides, Diagnostics& diagnostics)
+    Assignment(Network& network, const GridSides& sides, Diagnostics& diagnostics)
         : network_(network),
           sides_(sides),
           diagnostics_(diagnostics),
+          periodic_(periodic_sides(network.topology, sides.users.size())),
           claims_(sides.users.size()) {}
 
     void add(const BoundaryEntry& entry) {
@@ -152,44 +108,16 @@ public:
 
 private:
     bool is_unclaimed(std::size_t side) const {
-        return claims_[side].boundary == nullptr && sides_.users[side].size() == 1;
-    }
-
-    std::optional<int> find(const Name& name) {
-        const NameTable& edges = network_.edge_names;
-        const NameTable& faces = network_.face_names;
-        const auto edge = find_edge(edges, name.value);
-        const auto face = find_face(faces, name.value);
-        const bool of_faces = network_.three_dimensional;
-        if (of_faces && face) return face;
-        if (!of_faces && edge) return edge->edge;
-        if (of_faces ? edge.has_value() : face.has_value()) {
-            diagnostics_.error(
-                name.place,
-                fmt::format("{} is {}, but the sides of a boundary are {}s", quoted(name.value),
-                            of_faces ? "an edge" : "a face", sides_.kind),
-                of_faces ? "with blocks, boundaries are made of faces"
-                         : "without blocks, boundaries are made of edges");
-        } else if (!name.value.empty()) {
-            (of_faces ? faces : edges).report_unknown(name, diagnostics_);
-        }
-        return std::nullopt;
+        return claims_[side].boundary == nullptr && periodic_[side] == nullptr &&
+               sides_.users[side].size() == 1;
     }
 
     /// The side that a boundary may have, which it claims.
     std::optional<int> free_side(const BoundaryEntry& entry, const Name& name) {
-        const std::optional<int> side = find(name);
-        if (!side || *side == dropped_faulty) return std::nullopt;
+        const std::optional<int> side =
+            find_side(network_, sides_, name, {"a boundary", "boundaries"}, diagnostics_);
+        if (!side) return std::nullopt;
         const auto n = static_cast<std::size_t>(*side);
-        if (*side < 0 || sides_.users[n].empty()) {
-            // The face (block) that has it may be the one that is at fault.
-            if (!network_.intact) return std::nullopt;
-            diagnostics_.error(
-                name.place,
-                fmt::format("{} {} is no side of the grid", sides_.kind, quoted(name.value)),
-                fmt::format("no {} has it", sides_.user));
-            return std::nullopt;
-        }
         const std::vector<int>& users = sides_.users[n];
         if (users.size() > 1) {
             const bool cut = std::all_of(users.begin(), users.end(),
@@ -198,6 +126,14 @@ private:
                 name.place,
                 fmt::format("{} {} is no boundary: {} {}", sides_.kind, quoted(name.value),
                             cut ? "it is a cut of" : "it joins", users_text(sides_, users)),
+                fmt::format("take it out of boundary {}", quoted(entry.name.value)));
+            return std::nullopt;
+        }
+        if (periodic_[n] != nullptr) {
+            diagnostics_.error(
+                name.place,
+                fmt::format("{} {} is no boundary: it is a side of the periodic interface {}",
+                            sides_.kind, quoted(name.value), quoted(periodic_[n]->name)),
                 fmt::format("take it out of boundary {}", quoted(entry.name.value)));
             return std::nullopt;
         }
@@ -215,8 +151,9 @@ private:
     }
 
     Network& network_;
-    const Sides& sides_;
+    const GridSides& sides_;
     Diagnostics& diagnostics_;
+    std::vector<const PeriodicInterface*> periodic_;
     std::vector<Claim> claims_;
 };
 
@@ -248,18 +185,29 @@ void check_family_names(const Case& c, Diagnostics& diagnostics) {
     }
 }
 
+/// Whether every side of the periodic interfaces found its image, or its origin.
+bool all_paired(const Topology& topology, const Case& c) {
+    std::size_t sides = 0;
+    std::size_t pairs = 0;
+    for (const PeriodicEntry& entry : c.periodic) {
+        sides += std::max(entry.from.size(), entry.to.size());
+    }
+    for (const PeriodicInterface& interface : topology.periodic) pairs += interface.pairs.size();
+    return pairs == sides;
+}
+
 }  // namespace
 
 void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostics) {
     check_family_names(c, diagnostics);
-    const Sides sides = sides_of(network.topology, network.three_dimensional);
+    const GridSides sides = grid_sides(network);
     check_sharing(sides, diagnostics);
     const int errors = diagnostics.errors();
     Assignment assignment(network, sides, diagnostics);
     for (const BoundaryEntry& entry : c.boundaries) assignment.add(entry);
     assignment.collect_poles();
     // After a fault, what seems uncovered may be what a boundary failed to name.
-    if (network.intact && diagnostics.errors() == errors) {
+    if (network.intact && diagnostics.errors() == errors && all_paired(network.topology, c)) {
         assignment.collect_unassigned(Place{c.source, 0, 0});
     }
 }

@@ -25,4 +25,9 @@ void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostic
 /// edges and faces of their planes.
 void resolve_planes(Network& network, const Case& c, Diagnostics& diagnostics);
 
+/// Moves the vertices of edges that lie on planes exactly there.
+void put_vertices_onto_planes(Network& network);
+/// Straight lines follow vertices that were moved.
+void straighten(Network& network);
+
 }  // namespace hexweave

@@ -195,6 +195,21 @@ struct BoundaryEntry {
     std::optional<Located<AxisPlane>> plane;
 };
 
+/// A turn about an axis.
+struct RotationEntry {
+    Vec3 axis;
+    Vec3 center;
+    double angle = 0;  ///< in radians, right-handed about the axis
+};
+
+/// Sides `to` that are the images of the sides `from`, moved by the vector or turned.
+struct PeriodicEntry {
+    Name name;
+    std::vector<Name> from;
+    std::vector<Name> to;
+    Located<std::variant<Vec3, RotationEntry>> map;
+};
+
 struct SolverEntry {
     double tolerance = 1e-3;  ///< displacement in cells
     int maximum_cycles = 200;
@@ -221,6 +236,7 @@ struct Case {
     std::vector<FaceEntry> faces;
     std::vector<BlockEntry> blocks;
     std::vector<BoundaryEntry> boundaries;
+    std::vector<PeriodicEntry> periodic;
     SolverEntry solver;
     std::vector<Gate> gates;
     LevelsEntry levels;

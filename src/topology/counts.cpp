@@ -47,9 +47,9 @@ void add_chain(const Counting& counting, int from, const std::vector<Crossing>& 
                std::vector<Note>& notes) {
     int edge = from;
     for (const Crossing& crossing : chain) {
-        notes.push_back({counting.network.face(crossing.face).place,
-                         fmt::format("across face {}, {} has as many cells as {}",
-                                     counting.face_name(crossing.face),
+        notes.push_back({place_of(counting.network.topology, crossing),
+                         fmt::format("{}, {} has as many cells as {}",
+                                     text_of(counting.network.topology, crossing),
                                      counting.edge_name(crossing.edge), counting.edge_name(edge))});
         edge = crossing.edge;
     }

@@ -83,10 +83,10 @@ void add_crossings(const Chains& chains, int from, const std::vector<Crossing>& 
                    const std::string& what, std::vector<ExplanationStep>& steps) {
     int edge = from;
     for (const Crossing& crossing : crossings) {
-        const Face& face = chains.topology.faces[static_cast<std::size_t>(crossing.face)];
         steps.push_back(
-            {face.place, fmt::format("  across face {}, {} has the {} of {}", quoted(face.name),
-                                     chains.name(edge), what, chains.name(crossing.edge))});
+            {place_of(chains.topology, crossing),
+             fmt::format("  {}, {} has the {} of {}", text_of(chains.topology, crossing),
+                         chains.name(edge), what, chains.name(crossing.edge))});
         edge = crossing.edge;
     }
 }
@@ -259,6 +259,17 @@ void explain_spacing(const Chains& chains, int index, std::vector<ExplanationSte
     }
 }
 
+void explain_image(const Chains& chains, int index, std::vector<ExplanationStep>& steps) {
+    const std::optional<ImageOf>& image = chains.edge(index).image;
+    if (!image) return;
+    const auto interface = static_cast<std::size_t>(image->interface);
+    const PeriodicInterface& periodic = chains.topology.periodic[interface];
+    steps.push_back({periodic.place,
+                     fmt::format("its points are the image{} of those of edge {}{}, by {}",
+                                 image->back ? ", backwards," : "", chains.name(image->of),
+                                 image->reversed() ? ", reversed" : "", quoted(periodic.name))});
+}
+
 }  // namespace
 
 std::vector<ExplanationStep> explain_edge(const Case& written, const Topology& topology, int edge) {
@@ -267,6 +278,7 @@ std::vector<ExplanationStep> explain_edge(const Case& written, const Topology& t
     explain_cells(chains, edge, steps);
     explain_raise(written, chains, edge, steps);
     explain_spacing(chains, edge, steps);
+    explain_image(chains, edge, steps);
     return steps;
 }
 

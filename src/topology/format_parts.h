@@ -15,6 +15,7 @@ std::vector<MappingFormat> formats_of_shapes();
 std::vector<MappingFormat> formats_of_points();
 std::vector<MappingFormat> formats_of_faces();
 std::vector<MappingFormat> formats_of_files();
+std::vector<MappingFormat> formats_of_images();
 
 namespace forms {
 

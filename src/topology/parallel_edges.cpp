@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/parallel_edges.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+
+#include "topology/names.h"
+#include "topology/periodic_match.h"
 
 namespace hexweave {
 
@@ -11,7 +16,34 @@ namespace {
 
 constexpr int unvisited = -1;
 
+void add_interface(const Topology& topology, int interface, ParallelEdges& parallels) {
+    for (const PeriodicPair& pair : topology.periodic[static_cast<std::size_t>(interface)].pairs) {
+        for (const EdgeMatch& match : matched_edges(topology, pair)) {
+            if (match.from == match.to) continue;
+            parallels[static_cast<std::size_t>(match.from)].push_back(
+                {-1, match.to, match.reversed, interface});
+            parallels[static_cast<std::size_t>(match.to)].push_back(
+                {-1, match.from, match.reversed, interface});
+        }
+    }
+}
+
 }  // namespace
+
+std::string text_of(const Topology& topology, const Crossing& crossing) {
+    if (crossing.face >= 0) {
+        const Face& face = topology.faces[static_cast<std::size_t>(crossing.face)];
+        return fmt::format("across face {}", quoted(face.name));
+    }
+    const auto n = static_cast<std::size_t>(crossing.interface);
+    return fmt::format("across the periodic interface {}", quoted(topology.periodic[n].name));
+}
+
+Place place_of(const Topology& topology, const Crossing& crossing) {
+    return crossing.face >= 0
+               ? topology.faces[static_cast<std::size_t>(crossing.face)].place
+               : topology.periodic[static_cast<std::size_t>(crossing.interface)].place;
+}
 
 ParallelEdges parallel_edges(const Topology& topology) {
     ParallelEdges parallels(topology.edges.size());
@@ -24,10 +56,13 @@ ParallelEdges parallel_edges(const Topology& topology) {
             const bool reversed = a.front().reversed != b.front().reversed;
             const int index = static_cast<int>(f);
             parallels[static_cast<std::size_t>(a.front().edge)].push_back(
-                {index, b.front().edge, reversed});
+                {index, b.front().edge, reversed, -1});
             parallels[static_cast<std::size_t>(b.front().edge)].push_back(
-                {index, a.front().edge, reversed});
+                {index, a.front().edge, reversed, -1});
         }
+    }
+    for (std::size_t n = 0; n < topology.periodic.size(); ++n) {
+        add_interface(topology, static_cast<int>(n), parallels);
     }
     return parallels;
 }

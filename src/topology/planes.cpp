@@ -71,10 +71,14 @@ bool has_plane(const Edge& edge, const AxisPlane& plane) {
 
 constexpr double near_plane = 1e-9;  // of the grid's size
 
-void move_onto(Network& network, Edge& edge, const AxisPlane& plane) {
+void move_ends_onto(Topology& topology, const Edge& edge, const AxisPlane& plane) {
     for (const int vertex : {edge.start, edge.end}) {
-        coordinate(position(network.topology, vertex), plane.axis) = plane.value;
+        coordinate(position(topology, vertex), plane.axis) = plane.value;
     }
+}
+
+void move_onto(Network& network, Edge& edge, const AxisPlane& plane) {
+    move_ends_onto(network.topology, edge, plane);
     edge.planes.push_back(plane);
 }
 
@@ -116,7 +120,8 @@ bool settle(Network& network, Edge& edge, const AxisPlane& plane, const Place& p
     return true;
 }
 
-/// Straight lines follow vertices that were moved onto a plane.
+}  // namespace
+
 void straighten(Network& network) {
     for (std::size_t e = 0; e < network.topology.edges.size(); ++e) {
         const EdgeEntry* entry = network.edge_entries[e];
@@ -127,7 +132,11 @@ void straighten(Network& network) {
     }
 }
 
-}  // namespace
+void put_vertices_onto_planes(Network& network) {
+    for (const Edge& edge : network.topology.edges) {
+        for (const AxisPlane& plane : edge.planes) move_ends_onto(network.topology, edge, plane);
+    }
+}
 
 void resolve_planes(Network& network, const Case& c, Diagnostics& diagnostics) {
     bool moved = false;

@@ -11,6 +11,7 @@
 #include "topology/read_gates.h"
 #include "topology/read_output.h"
 #include "topology/read_parameters.h"
+#include "topology/read_periodic.h"
 #include "topology/read_values.h"
 #include "topology/shapes.h"
 #include "topology/yaml_tree.h"
@@ -65,16 +66,6 @@ const YamlNode* section_of(Reading& reading, const YamlNode& root, std::string_v
     reading.diagnostics.error(section->place, fmt::format("'{}' must be a mapping of names, not {}",
                                                           key, describe(*section)));
     return nullptr;
-}
-
-/// Sections of the format that this version cannot read must be empty.
-void refuse_section(Reading& reading, const YamlNode& root, std::string_view key) {
-    const YamlNode* section = find(reading, root, key);
-    if (section == nullptr || section->is_null()) return;
-    if (section->is_mapping() && section->children.empty()) return;
-    reading.diagnostics.error(section->key_place,
-                              fmt::format("the section '{}' comes with a later version", key),
-                              "leave the section out");
 }
 
 void read_title_and_units(Reading& reading, const YamlNode& root, Case& c) {
@@ -133,7 +124,6 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     }
     if (!check_version(reading, *root)) return c;
     expect_mapping(reading, *root, "a case", "case", later_keys());
-    refuse_section(reading, *root, "periodic");
     read_title_and_units(reading, *root, c);
     reading.units = c.units;
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
@@ -144,6 +134,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.faces, reading, *root, "faces", read_faces);
     read_into(c.blocks, reading, *root, "blocks", read_blocks);
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
+    read_into(c.periodic, reading, *root, "periodic", read_periodic);
     c.multiple_of = read_multiple_of(reading, *root);
     read_solver(reading, *root, c.solver);
     c.outputs = read_output(reading, section_of(reading, *root, "output"));

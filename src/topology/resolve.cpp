@@ -11,6 +11,7 @@
 #include "topology/handedness.h"
 #include "topology/limits.h"
 #include "topology/parallel_edges.h"
+#include "topology/periodic.h"
 #include "topology/spacing_propagation.h"
 #include "topology/surface_faces.h"
 
@@ -41,11 +42,14 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     Network network = connect(c, diagnostics);
     measure_extent(network.topology, network.three_dimensional);
     if (check_surface_faces(network, diagnostics)) check_handedness(network, diagnostics);
+    pair_periodic_sides(network, c, diagnostics);
+    make_images(network, diagnostics);
     const ParallelEdges parallels = parallel_edges(network.topology);
     resolve_counts(network, parallels, {c.multiple_of}, diagnostics);
     resolve_spacing(network, parallels, diagnostics);
     resolve_boundaries(network, c, diagnostics);
     resolve_planes(network, c, diagnostics);
+    settle_images(network, diagnostics);
     if (!diagnostics.has_errors() && check_zone_sizes(network.topology, diagnostics)) {
         check_memory(network.topology, threads(), available_memory(), diagnostics);
     }

@@ -136,6 +136,19 @@ std::vector<Oriented> nearest_laws(const Laws& laws, int edge) {
 
 Oriented root_of(Laws& laws, int edge);
 
+/// The edge that a periodic edge without a law has it from: what it is the image of, or else its
+/// image where that has one.
+std::optional<Oriented> periodic_source(const Laws& laws, int edge) {
+    const std::optional<ImageOf>& image = laws.network.edge(edge).image;
+    if (image) return Oriented{image->of, image->reversed()};
+    for (const Crossing& c : laws.parallels[static_cast<std::size_t>(edge)]) {
+        if (c.interface >= 0 && laws.has_law(c.edge) && end_of_likes(laws, c.edge) != edge) {
+            return Oriented{c.edge, c.reversed};
+        }
+    }
+    return std::nullopt;
+}
+
 Oriented root_through(Laws& laws, const Oriented& source) {
     const Oriented root = root_of(laws, source.edge);
     return {root.edge, root.reversed != source.reversed};
@@ -197,13 +210,47 @@ Oriented root_of(Laws& laws, int edge) {
         root = root_through(laws, *laws.like[e]);
         if (laws.faulty[static_cast<std::size_t>(laws.like[e]->edge)]) laws.faulty[e] = true;
     } else if (!laws.has_law(edge) && !laws.network.edge(edge).pole) {
-        root = inherited(laws, edge);
+        const std::optional<Oriented> source = periodic_source(laws, edge);
+        root = source ? root_through(laws, *source) : inherited(laws, edge);
     }
     if (laws.state[e] == State::visiting) {
         laws.root[e] = root;
         laws.state[e] = State::done;
     }
     return laws.root[e];
+}
+
+void report_image(Laws& laws, int edge, int origin) {
+    const auto interface = static_cast<std::size_t>(laws.network.edge(edge).image->interface);
+    Diagnostic& error = laws.diagnostics.error(
+        laws.has_law(edge) ? laws.entry(edge)->spacing->place : laws.network.edge(edge).place,
+        fmt::format("edge {} has another spacing than edge {}, whose image it is", laws.name(edge),
+                    laws.name(origin)),
+        "give a law to one of them only: the other one takes it over");
+    if (laws.has_law(origin)) {
+        error.notes.push_back({laws.entry(origin)->spacing->place,
+                               fmt::format("the spacing of {}", laws.name(origin))});
+    }
+    error.notes.push_back(
+        {laws.network.topology.periodic[interface].place, "the periodic interface"});
+}
+
+/// Reports images whose law is another than that of what they are the image of; gives the others
+/// its very points.
+void take_over_images(Laws& laws) {
+    for (std::size_t e = 0; e < laws.root.size(); ++e) {
+        Oriented origin{static_cast<int>(e), false};
+        while (const std::optional<ImageOf>& image = laws.network.edge(origin.edge).image) {
+            origin = {image->of, image->reversed() != origin.reversed};
+        }
+        if (origin.edge == static_cast<int>(e) || laws.network.edge(origin.edge).pole) continue;
+        const Oriented root = root_through(laws, origin);
+        const bool known = !laws.faulty[e] && !laws.faulty[static_cast<std::size_t>(origin.edge)];
+        if (known && !same_root_distribution(laws, laws.root[e], root)) {
+            report_image(laws, static_cast<int>(e), origin.edge);
+        }
+        laws.root[e] = root;
+    }
 }
 
 /// The law that an edge's own entry gives, but for 'like'.
@@ -250,6 +297,7 @@ void resolve_spacing(Network& network, const ParallelEdges& parallels, Diagnosti
         find_like(laws, static_cast<int>(e));
     }
     for (std::size_t e = 0; e < edges; ++e) root_of(laws, static_cast<int>(e));
+    take_over_images(laws);
     for (std::size_t e = 0; e < edges; ++e) {
         const Oriented& root = laws.root[e];
         if (root.edge != static_cast<int>(e)) {

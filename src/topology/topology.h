@@ -25,6 +25,7 @@
 #include "core/grid_output.h"
 #include "core/multiblock.h"
 #include "core/orientation.h"
+#include "core/periodic_image.h"
 #include "core/vec3.h"
 #include "geometry/curve.h"
 #include "geometry/surface.h"
@@ -45,6 +46,17 @@ struct SameAs {
     bool reversed = false;
 };
 using SpacingLaw = std::variant<UniformLaw, TanhLaw, GeometricLaw, ExplicitLaw, SameAs>;
+
+/// Says that an edge (face) is the image of edge (face) `of` under the map of a periodic interface:
+/// all its points are. `orientation` takes its own axes to those of the other one.
+struct ImageOf {
+    int of = 0;
+    Orientation orientation;
+    int interface = 0;  ///< of the topology
+    bool back = false;  ///< under the inverse map
+
+    bool reversed() const { return orientation.axes[0] < 0; }  ///< of an edge
+};
 
 /// A piece of a curve from vertex `start` to vertex `end`. `from` and `to` are curve parameters (to
 /// < from where the edge runs against the curve; outside the range where it crosses the seam of a
@@ -68,6 +80,7 @@ struct Edge {
     std::vector<AxisPlane> planes;  ///< that it lies on: its points are exactly there
     bool made = false;              ///< not drawn by the user: a straight edge between two corners
     bool pole = false;              ///< collapsed to one vertex: no length, all its points there
+    std::optional<ImageOf> image;   ///< where its points are those of another edge, carried over
 };
 
 /// A vertex or an edge that was put onto a surface or a plane, and how far it was moved for that at
@@ -114,6 +127,7 @@ struct Face {
     std::optional<AxisPlane>
         plane;  ///< the symmetry plane it lies on: its points are exactly there
     bool made = false;
+    std::optional<ImageOf> image;  ///< where its points are those of another face, carried over
     /// Collapsed along i, along j: every grid line along that axis is one point. Along both, the
     /// face is a vertex; along one, an edge.
     std::array<bool, 2> collapsed{};
@@ -164,6 +178,22 @@ struct Boundary {
     std::optional<AxisPlane> plane;
 };
 
+/// Two sides of the grid (edges in two dimensions, faces in three) of which `to` is the image of
+/// `from`; `orientation` takes the axes of `to` to those of `from`.
+struct PeriodicPair {
+    int from = 0;
+    int to = 0;
+    Orientation orientation;
+};
+
+/// Sides that are joined though they lie apart: a map carries the one onto the other.
+struct PeriodicInterface {
+    std::string name;
+    Place place;
+    Periodicity periodicity;
+    std::vector<PeriodicPair> pairs;
+};
+
 /// The cells of an edge, and of those parallel to it, where they are others than the file says: for
 /// a level, for a multiple, or for the sums over the sides of a face.
 struct AdjustedCount {
@@ -182,6 +212,7 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<Block> blocks;
     std::vector<Boundary> boundaries;  ///< covers every free side; `unassigned` added where needed
+    std::vector<PeriodicInterface> periodic;
     std::vector<AdjustedCount> adjusted_counts;
     std::vector<PutOnSurface> put_on_surface;
     std::vector<Gate> gates;          ///< on the whole grid
@@ -201,5 +232,12 @@ struct Topology {
         return sum;
     }
 };
+
+/// The map that an image is made with.
+inline PeriodicMap image_map(const Topology& topology, const ImageOf& image) {
+    const Periodicity& forth =
+        topology.periodic[static_cast<std::size_t>(image.interface)].periodicity;
+    return periodic_map(image.back ? backwards(forth) : forth);
+}
 
 }  // namespace hexweave
