@@ -41,10 +41,14 @@ std::string number_text(const ValueForm& form) {
     return of("number", "");
 }
 
-/// "a, b or c".
+/// "a, b or c"; with longer parts, "list of: a; or b".
 std::string alternatives(const std::vector<std::string>& parts) {
     if (parts.size() < 2) return parts.empty() ? "" : parts.front();
-    return fmt::format("{} or {}", fmt::join(parts.begin(), parts.end() - 1, ", "), parts.back());
+    const bool lists = std::any_of(parts.begin(), parts.end(), [](const std::string& part) {
+        return part.find(": ") != std::string::npos;
+    });
+    return fmt::format("{}{}{}", fmt::join(parts.begin(), parts.end() - 1, lists ? "; " : ", "),
+                       lists ? "; or " : " or ", parts.back());
 }
 
 std::string words_text(const Keys& words) {
