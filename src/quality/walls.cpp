@@ -49,6 +49,14 @@ Vec3 tangent(const PointField& x, const Node& n, std::size_t axis) {
     return norm(ahead) * back / norm(back) + norm(back) * ahead / norm(ahead);
 }
 
+/// Whether an interval of the wall beside a node has no length, so that it has no normal there.
+bool is_collapsed(const PointField& x, const PatchAxes& axes, const Node& n) {
+    const Vec3 centre = x(n[0], n[1], n[2]);
+    return std::any_of(axes.along.begin(), axes.along.end(), [&](std::size_t axis) {
+        return neighbour(x, n, axis, -1) == centre || neighbour(x, n, axis, 1) == centre;
+    });
+}
+
 /// Degrees between an interval that leaves the wall and the wall's normal.
 double angle_from_normal(const Vec3& interval, const std::vector<Vec3>& tangents) {
     if (tangents.size() == 1) return std::abs(90 - angle_between(interval, tangents[0]));
@@ -89,6 +97,7 @@ void WallCollector::include(const PointField& x, const IndexBox& box) {
 
 void WallCollector::include_node(const PointField& x, const PatchAxes& axes, const Node& n,
                                  bool beside_end) {
+    if (is_collapsed(x, axes, n)) return;
     const Vec3 place = x(n[0], n[1], n[2]);
     const Vec3 interval = neighbour(x, n, axes.normal, axes.inward) - place;
     heights_.push_back(norm(interval));

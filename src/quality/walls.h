@@ -14,7 +14,8 @@ namespace hexweave {
 /// The first intervals of the grid lines that leave a family of walls, at every node of its patches
 /// but those on their ends, which are given by the edges. Angles are degrees from the wall's normal
 /// (in a surface grid: from its normal within the surface). Nodes beside an end, where a grid line
-/// may be squeezed by a corner, are counted apart.
+/// may be squeezed by a corner, are counted apart; those where a side is collapsed have no normal
+/// and are left out.
 struct WallMeasure {
     std::string family;
     std::size_t nodes = 0;  ///< not beside an end

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <vector>
+
+#include "quality/walls.h"
 
 using namespace hexweave;
 
@@ -146,6 +149,25 @@ TEST_CASE("corners at a pole are counted apart, folds beside it are not") {
     // Two neighbours inside of a grid that are one point are no pole.
     face.points.set(1, 2, 0, face.points(2, 2));
     CHECK(measure_zone(face, 2).folded > 0);
+}
+
+TEST_CASE("a side that is collapsed to a line has no normal to measure angles from") {
+    const auto polar = [](double i, double j, double k) {
+        return Vec3{i * std::cos(0.3 * j), i * std::sin(0.3 * j), k};
+    };
+    MultiblockGrid grid;
+    grid.zones.push_back(make_zone({4, 6, 7}, polar));
+    grid.families = {{"axis", "BCDegenerateLine"}, {"rim", "BCWall"}};
+    grid.patches.push_back({"axis", 0, {{0, 0, 0}, {0, 5, 6}}, 0});
+    grid.patches.push_back({"rim", 0, {{3, 0, 0}, {3, 5, 6}}, 1});
+    const std::vector<WallMeasure> measured = measure_boundaries(grid);
+    REQUIRE(measured.size() == 2);
+    CHECK(measured[0].nodes == 0);
+    CHECK(measured[0].mean_angle == 0);
+    CHECK(measured[0].greatest_angle_beside_ends == 0);
+    CHECK(measured[1].nodes == 2 * 3);
+    CHECK(measured[1].median_height == Approx(1));
+    CHECK(measured[1].greatest_angle < 1e-5);
 }
 
 TEST_CASE("an unsound report says so") {
