@@ -54,7 +54,8 @@ JacobianCoefficients half(const JacobianCoefficients& whole, std::size_t axis, b
     return part;
 }
 
-/// Which coefficients may be zero: those of flat corners, and of edges that are flat at both ends.
+/// Which coefficients may be zero: those of flat corners, of edges that are flat at both ends, and
+/// of faces that are flat at all four corners, as one that is collapsed to a pole.
 using MayVanish = std::array<bool, 27>;
 
 /// The same over one half of the cube: along a line of three, all if all may; else the end alone
@@ -82,14 +83,21 @@ MayVanish vanishing(const JacobianCoefficients& c, const FlatCorners& flat) {
     for (std::size_t corner = 0; corner < 8; ++corner) result[corner_place(corner)] = flat[corner];
     const double scale = std::abs(*std::max_element(
         c.begin(), c.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }));
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::size_t other = corner | (std::size_t{1} << axis);
-            if (other == corner || !flat[corner] || !flat[other]) continue;
-            const std::size_t middle = (corner_place(corner) + corner_place(other)) / 2;
-            result[middle] = std::abs(c[middle]) <= zero * scale;
+    // Half-way between two corners, over an edge, and from edge to edge then, over a face.
+    const auto between = [&](std::size_t low, std::size_t high) {
+        const std::size_t middle = (low + high) / 2;
+        if (result[low] && result[high]) result[middle] = std::abs(c[middle]) <= zero * scale;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t stride = axis == 0 ? 1 : axis == 1 ? 3 : 9;
+        for (std::size_t corner = 0; corner < 8; ++corner) {
+            const std::size_t n = corner_place(corner);
+            if (n / stride % 3 == 0) between(n, n + 2 * stride);
         }
     }
+    for (const std::size_t n : {place(0, 1, 0), place(0, 1, 2)}) between(n, n + place(2, 0, 0));
+    for (const std::size_t n : {place(0, 0, 1), place(2, 0, 1)}) between(n, n + place(0, 2, 0));
+    for (const std::size_t n : {place(1, 0, 0), place(1, 2, 0)}) between(n, n + place(0, 0, 2));
     return result;
 }
 

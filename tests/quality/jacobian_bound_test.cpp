@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 using namespace hexweave;
 
@@ -92,4 +93,23 @@ TEST_CASE("flat corners are excepted where they are declared, and only there") {
     nodes[0] = {0.01, 0.01, 0};  // turned inside out: not flat, whatever is declared beside it
     flat[0] = false;
     CHECK(judged(nodes, flat) == JacobianVerdict::not_positive);
+}
+
+TEST_CASE("a cell whose side is collapsed to a line is sound but for that side") {
+    // A wedge: the side at i = 0 is a line along k, askew so that nothing is zero by chance.
+    const Vec3 foot{0.1, 0.2, 0.3};
+    const Vec3 head{0.2, 0.13, 1.7};
+    CellNodes nodes = prism(1.1, 0.3, -0.2, 0.9, 1);
+    nodes[0] = nodes[2] = Vec3{-0.5, 0, 0} + foot;
+    nodes[4] = nodes[6] = Vec3{-0.5, 0, 0} + head;
+    nodes[1] += foot;
+    nodes[3] += foot;
+    nodes[5] += head - Vec3{0, 0, 1};
+    nodes[7] += head - Vec3{0, 0, 1};
+    const FlatCorners pole{true, false, true, false, true, false, true, false};
+    CHECK(cell_volume(jacobian_coefficients(nodes)) > 0.1);
+    CHECK(judged(nodes, pole) == JacobianVerdict::positive);
+    CHECK(judged(nodes) == JacobianVerdict::not_positive);
+    std::swap(nodes[5], nodes[7]);  // the other side twisted inside out
+    CHECK(judged(nodes, pole) == JacobianVerdict::not_positive);
 }
