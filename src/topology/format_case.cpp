@@ -34,6 +34,11 @@ MappingFormat the_case() {
         {{"hexweave", {words({"1"})}, key_required, "version of the format", "hexweave: 1"},
          {"title", {text()}, "", "a line of text, written to the grid", "title: RAE 2822"},
          {"units", {words({"m", "mm", "cm", "in", "ft"})}, "m", "unit of all lengths", "units: mm"},
+         {"include",
+          {file(), mapping("include"), list({file(), mapping("include")})},
+          "",
+          "other files, whose sections are merged with those of this one; relative to its folder",
+          "include: part.yaml"},
          {"parameters",
           {entries("parameter", {number()})},
           "",
@@ -51,7 +56,8 @@ MappingFormat the_case() {
           "shapes that faces, edges and vertices lie on",
           "surfaces: {ball: {sphere: {center: [0, 0, 0], radius: 1}}}"},
          {"vertices",
-          {entries("vertex", {point(), mapping("vertex_on_curve"), mapping("vertex_on_surface")})},
+          {entries("vertex", {point(), mapping("vertex_point"), mapping("vertex_on_curve"),
+                              mapping("vertex_on_surface")})},
           "",
           "named points",
           "vertices: {a: [0, 0], b: [1, 0]}"},
@@ -102,6 +108,32 @@ MappingFormat the_case() {
           "`cgns`, under the name of the file",
           "files to write, by format; `-o FILE` replaces them",
           "output: {cgns: wing.cgns}"}}};
+}
+
+MappingFormat include() {
+    return {"include",
+            "Another file, with other values of its parameters.",
+            {{"file", {file()}, key_required, "which", "file: part.yaml"},
+             {"set",
+              {entries("parameter", {number()})},
+              "those of the file",
+              "values of its parameters, before the others are computed",
+              "file: part.yaml, set: {length: 2}"},
+             {"when",
+              {number()},
+              "always",
+              "include it where this is not 0; an expression in the parameters of this file",
+              "when: 2 > 1"}}};
+}
+
+MappingFormat any_entry() {
+    return {"any_entry",
+            "What may stand at every entry of a section.",
+            {{"when",
+              {number()},
+              "always",
+              "without which (0) the entry is not there; mostly a comparison",
+              "when: 2 > 1"}}};
 }
 
 MappingFormat solver() {
@@ -208,7 +240,7 @@ MappingFormat boundary() {
 }  // namespace
 
 std::vector<MappingFormat> formats_of_case() {
-    return {the_case(), solver(), gates(), boundary()};
+    return {the_case(), include(), any_entry(), solver(), gates(), boundary()};
 }
 
 }  // namespace hexweave

@@ -10,6 +10,9 @@ namespace {
 
 std::vector<MappingFormat> vertices() {
     return {
+        {"vertex_point",
+         "A point, where something is said of it besides.",
+         {{"point", {point()}, key_required, "its coordinates", "point: [1, 0]"}}},
         {"vertex_on_curve",
          "A place on a curve.",
          {{"curve", {name("curve")}, key_required, "which", "curve: root"},

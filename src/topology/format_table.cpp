@@ -11,6 +11,23 @@ namespace hexweave {
 
 namespace {
 
+/// What may stand at any entry of a section may stand in every mapping that is one.
+void add_keys_of_entries(std::vector<MappingFormat>& table) {
+    std::vector<std::string_view> forms;
+    for (const MappingFormat& format : table) {
+        for (const KeyFormat& key : format.keys) {
+            for (const ValueForm& value : key.values) {
+                if (value.kind != ValueForm::Kind::entries) continue;
+                for (const ValueForm& item : value.items) forms.push_back(item.of);
+            }
+        }
+    }
+    for (MappingFormat& format : table) {
+        if (std::find(forms.begin(), forms.end(), format.name) == forms.end()) continue;
+        format.with.push_back("any_entry");
+    }
+}
+
 std::vector<MappingFormat> all_sections() {
     std::vector<MappingFormat> table;
     for (const auto section :
@@ -19,6 +36,7 @@ std::vector<MappingFormat> all_sections() {
         std::vector<MappingFormat> formats = section();
         std::move(formats.begin(), formats.end(), std::back_inserter(table));
     }
+    add_keys_of_entries(table);
     return table;
 }
 

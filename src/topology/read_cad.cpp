@@ -33,7 +33,8 @@ std::string words_for(const CadUse& use, const CadEntity& entity) {
 }
 
 std::shared_ptr<const CadFile> read_file(Reading& reading, const YamlNode& path) {
-    const auto known = reading.cad_files.find(path.text);
+    const std::string where = path_of_file(path).string();
+    const auto known = reading.cad_files.find(where);
     if (path.is_scalar() && known != reading.cad_files.end()) return known->second;
     std::shared_ptr<const CadFile> read;
     if (const std::shared_ptr<const SourceFile> file = read_data_file(reading, path, "'cad'")) {
@@ -44,7 +45,7 @@ std::shared_ptr<const CadFile> read_file(Reading& reading, const YamlNode& path)
             tell_file_fault(reading, path, file, result.error, 0);
         }
     }
-    if (path.is_scalar()) reading.cad_files.emplace(path.text, read);
+    if (path.is_scalar()) reading.cad_files.emplace(where, read);
     return read;
 }
 

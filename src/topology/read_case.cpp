@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "topology/expand_entries.h"
+#include "topology/includes.h"
 #include "topology/read_entries.h"
 #include "topology/read_gates.h"
 #include "topology/read_output.h"
@@ -22,7 +24,6 @@ namespace {
 
 const std::vector<RefusedKey>& later_keys() {
     static const std::vector<RefusedKey> keys{
-        {"include", "including other files is not in this version yet", ""},
         {"components", "components are not in this version yet", ""},
         {"level", "grid levels are not in this version yet", "give the cell counts by parameters"}};
     return keys;
@@ -35,26 +36,14 @@ std::uint64_t fnv1a64(const std::string& text) {
     return hash;
 }
 
-std::string provenance_of(const SourceFile& source, const std::vector<Override>& overrides) {
-    std::string text =
-        fmt::format("hexweave {}; config fnv1a64:{:016x}", HEXWEAVE_VERSION, fnv1a64(source.text));
+std::string provenance_of(const Reading& reading, const std::vector<Override>& overrides) {
+    std::string text = fmt::format("hexweave {}; config fnv1a64:{:016x}", HEXWEAVE_VERSION,
+                                   fnv1a64(reading.source->text));
+    for (const auto& file : reading.included) {
+        text += fmt::format("; include fnv1a64:{:016x}", fnv1a64(file->text));
+    }
     for (const Override& o : overrides) text += fmt::format("; set {}={}", o.name, o.expression);
     return text;
-}
-
-/// Whether the file is of the one format that there is.
-bool check_version(Reading& reading, const YamlNode& root) {
-    const YamlNode* version = find(reading, root, "hexweave");
-    if (version == nullptr) {
-        reading.diagnostics.error({reading.source, 0, 0, 1}, "the key 'hexweave' is missing",
-                                  "a case begins with the version of its format, 'hexweave: 1'");
-        return true;
-    }
-    if (version->is_scalar() && version->text == "1") return true;
-    reading.diagnostics.error(
-        version->place,
-        fmt::format("the version of the format must be 1, not {}", describe(*version)));
-    return !version->is_scalar();
 }
 
 /// A section that is a mapping of names; null where there is none or it is empty.
@@ -111,11 +100,10 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
                const std::vector<Override>& overrides, Diagnostics& diagnostics) {
     Case c;
     c.source = source;
-    c.provenance = provenance_of(*source, overrides);
-    const std::optional<YamlNode> root = read_yaml(source, diagnostics);
-    if (!root) return c;
-
     Reading reading{diagnostics, source};
+    c.provenance = provenance_of(reading, overrides);
+    std::optional<YamlNode> root = read_yaml(source, diagnostics);
+    if (!root) return c;
     if (!root->is_mapping()) {
         diagnostics.error(root->place,
                           fmt::format("a case must be a mapping, not {}", describe(*root)),
@@ -123,10 +111,13 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
         return c;
     }
     if (!check_version(reading, *root)) return c;
+    root = merge_includes(reading, std::move(*root), overrides);
+    c.provenance = provenance_of(reading, overrides);
     expect_mapping(reading, *root, "a case", "case", later_keys());
     read_title_and_units(reading, *root, c);
     reading.units = c.units;
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
+    choose_entries(reading, *root);
     const YamlNode* curves = section_of(reading, *root, "curves");
     read_shapes(reading, curves, section_of(reading, *root, "surfaces"), c);
     read_into(c.vertices, reading, *root, "vertices", read_vertices);

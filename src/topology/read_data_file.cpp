@@ -19,12 +19,6 @@ namespace {
 
 constexpr std::uintmax_t largest_file = 256U << 20U;
 
-std::filesystem::path resolve_path(const SourceFile& source, const std::string& written) {
-    std::filesystem::path path(written);
-    if (path.is_absolute() || source.name == "<stdin>") return path;
-    return std::filesystem::path(source.name).parent_path() / path;
-}
-
 /// Why a path cannot be read as a data file; empty when it can.
 std::string unreadable(const std::filesystem::path& path) {
     std::error_code error;
@@ -57,11 +51,17 @@ std::optional<std::vector<double>> numbers_of(std::string_view line) {
 
 }  // namespace
 
+std::filesystem::path path_of_file(const YamlNode& node) {
+    std::filesystem::path path(node.text);
+    if (path.is_absolute() || !node.place.file || node.place.file->name == "<stdin>") return path;
+    return std::filesystem::path(node.place.file->name).parent_path() / path;
+}
+
 std::shared_ptr<const SourceFile> read_data_file(Reading& reading, const YamlNode& node,
                                                  const std::string& what) {
     const std::optional<std::string> written = read_text(reading, node, what);
     if (!written) return nullptr;
-    const std::filesystem::path path = resolve_path(*reading.source, *written);
+    const std::filesystem::path path = path_of_file(node);
     std::string reason = unreadable(path);
     if (reason.empty()) {
         std::ifstream stream(path, std::ios::binary);
@@ -72,7 +72,7 @@ std::shared_ptr<const SourceFile> read_data_file(Reading& reading, const YamlNod
     }
     reading.diagnostics.error(
         node.place, fmt::format("the file '{}' cannot be read: {}", shown(*written), reason),
-        "files are looked for relative to the folder of the case");
+        "files are looked for relative to the folder of the file that names them");
     return nullptr;
 }
 

@@ -2,6 +2,7 @@
 // Data files that a case names: found, read, and their faults shown with their lines.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,8 +13,10 @@
 
 namespace hexweave {
 
-/// The contents of the file that a node names, relative to the folder of the case. Its name is the
-/// one written.
+/// The path of the file that a node names, relative to the folder of the file that it stands in.
+std::filesystem::path path_of_file(const YamlNode& node);
+
+/// The contents of the file that a node names. Its name is the one written.
 std::shared_ptr<const SourceFile> read_data_file(Reading& reading, const YamlNode& node,
                                                  const std::string& what);
 

@@ -64,6 +64,12 @@ VertexPlace read_place(Reading& reading, const YamlNode& entry, const std::strin
     if (find(reading, entry, "surface") != nullptr) {
         return read_place_on_surface(reading, entry, what);
     }
+    if (const YamlNode* point = find(reading, entry, "point")) {
+        expect_mapping(reading, entry, what, "vertex_point");
+        const auto position = read_point(reading, *point, what);
+        if (position) return *position;
+        return faulty;
+    }
     expect_mapping(reading, entry, what, "vertex_on_curve");
     tell_lacking(reading, entry, required_keys("vertex_on_curve"), what);
     const YamlNode* curve = find(reading, entry, "curve");

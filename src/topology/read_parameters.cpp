@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace hexweave {
@@ -59,29 +60,92 @@ void check_parameter_name(Reading& reading, const YamlNode& node) {
                               "it is a function or a constant of expressions");
 }
 
+/// The names in a text.
+std::vector<std::string> names_in(const std::string& text) {
+    static constexpr std::string_view letters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+    std::vector<std::string> names;
+    for (std::size_t begin = text.find_first_of(letters); begin != std::string::npos;) {
+        const std::size_t end = std::min(text.find_first_not_of(letters, begin), text.size());
+        names.push_back(text.substr(begin, end - begin));
+        begin = text.find_first_of(letters, end);
+    }
+    return names;
+}
+
+/// The parameters of a section as they are computed: in order; but one that an include gives a
+/// value waits for what that value needs, which may stand further down.
+class ParameterTable {
+public:
+    ParameterTable(Reading& reading, const YamlNode& section,
+                   const std::vector<Override>& overrides)
+        : reading_(reading),
+          section_(section),
+          overrides_(overrides_by_name(reading, &section, overrides)),
+          states_(section.children.size(), State::waiting),
+          parameters_(section.children.size()) {
+        for (std::size_t n = 0; n < section.children.size(); ++n) {
+            reading.parameters.later.insert(section.children[n].key);
+            index_.emplace(section.children[n].key, n);
+        }
+    }
+
+    std::vector<Parameter> compute() {
+        for (std::size_t n = 0; n < states_.size(); ++n) compute(n, 0);
+        return std::move(parameters_);
+    }
+
+private:
+    enum class State { waiting, begun };
+    static constexpr int longest_chain = 1000;  ///< of parameters that wait for one another
+
+    /// What stands for the parameter's own expression; null where nothing does.
+    const YamlNode* replacement(const YamlNode& node, bool& from_include) const {
+        const auto given = overrides_.find(node.key);
+        if (given != overrides_.end()) return &given->second;
+        const auto set = reading_.replaced.find(node.key);
+        from_include = set != reading_.replaced.end();
+        return from_include ? &set->second : nullptr;
+    }
+
+    void compute(std::size_t n, int chain) {
+        if (states_[n] == State::begun || chain > longest_chain) return;
+        states_[n] = State::begun;
+        const YamlNode& node = section_.children[n];
+        bool from_include = false;
+        const YamlNode* other = replacement(node, from_include);
+        const YamlNode& value = other != nullptr ? *other : node;
+        for (const std::string& name : names_in(value.text)) {
+            const auto needed = index_.find(name);
+            if (needed == index_.end()) continue;
+            if (from_include || needed->second < n) compute(needed->second, chain + 1);
+        }
+        check_parameter_name(reading_, node);
+        ParameterScope& scope = reading_.parameters;
+        // What the replaced expression used counts as used; its value does not matter.
+        if (other != nullptr && node.is_scalar()) evaluate(node.text, scope);
+        const auto number =
+            read_number(reading_, value, fmt::format("parameter '{}'", shown(node.key)));
+        scope.values[node.key] = number;
+        scope.later.erase(node.key);
+        parameters_[n] = {{node.key, node.key_place}, number.value_or(0), other != nullptr};
+    }
+
+    Reading& reading_;
+    const YamlNode& section_;
+    std::map<std::string, YamlNode> overrides_;
+    std::vector<State> states_;
+    std::vector<Parameter> parameters_;
+    std::map<std::string, std::size_t> index_;
+};
+
 }  // namespace
 
 std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section,
                                        const std::vector<Override>& overrides) {
-    const std::map<std::string, YamlNode> given = overrides_by_name(reading, section, overrides);
-    std::vector<Parameter> parameters;
-    if (section == nullptr) return parameters;
-    ParameterScope& scope = reading.parameters;
-    for (const YamlNode& node : section->children) scope.later.insert(node.key);
-
-    for (const YamlNode& node : section->children) {
-        check_parameter_name(reading, node);
-        const auto found = given.find(node.key);
-        const bool overridden = found != given.end();
-        // What the replaced expression used counts as used; its value does not matter.
-        if (overridden && node.is_scalar()) evaluate(node.text, scope);
-        const auto value = read_number(reading, overridden ? found->second : node,
-                                       fmt::format("parameter '{}'", shown(node.key)));
-        scope.values[node.key] = value;
-        scope.later.erase(node.key);
-        parameters.push_back({{node.key, node.key_place}, value.value_or(0), overridden});
-    }
-    return parameters;
+    if (section != nullptr) return ParameterTable(reading, *section, overrides).compute();
+    overrides_by_name(reading, section, overrides);
+    return {};
 }
 
 void warn_unused_parameters(Reading& reading, const std::vector<Parameter>& parameters) {

@@ -39,8 +39,10 @@ struct Reading {
     ParameterScope parameters{};
     std::vector<MisspelledKey> misspelled{};
     std::string units = "m";  ///< of the case's lengths
-    /// CAD files by their name as written; null where a fault has been told.
+    /// CAD files by their path; null where a fault has been told.
     std::map<std::string, std::shared_ptr<const CadFile>> cad_files{};
+    std::vector<std::shared_ptr<const SourceFile>> included{};  ///< files, in order
+    std::map<std::string, YamlNode> replaced{};  ///< parameters that an include gives a value
 };
 
 /// A key that is refused with its own words rather than as unknown.
