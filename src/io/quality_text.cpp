@@ -46,7 +46,7 @@ std::string zone_table(const GridQuality& q) {
     std::string text =
         fmt::format("{:<{}} {:>15} {:>7} {:>9} {:>10} {:>10} {:>10} {:>14} {:>9} {:>8} {:>12}\n",
                     "zone", width, "nodes", "folded", "scaled J.", "least J.", "least vol.",
-                    "volume", "angles", "skewness", "growth", "bend max/mean");
+                    "volume", "angles", "skewness", "growth", "bend MDS/ADS");
     for (const ZoneQuality& z : q.zones) {
         const BendMeasure bends = all_bends(z);
         text += fmt::format(
@@ -79,7 +79,7 @@ std::string boundary_table(const GridQuality& q) {
     const std::size_t width = width_of(q.boundaries, 8, name);
     std::string text =
         fmt::format("\n{:<{}} {:>9} | {:>22} | {:>11} {:>11} {:>11}\n", "boundary", width, "nodes",
-                    "off normal, mean, max", "height min", "median", "max");
+                    "off normal, ADO, MDO", "height min", "median", "max");
     for (const WallMeasure& b : q.boundaries) {
         text += fmt::format("{:<{}} {:>9} | {:>13.2f} {:>8.2f} | {:>11.4e} {:>11.4e} {:>11.4e}\n",
                             b.family, width, b.nodes, b.mean_angle, b.greatest_angle,
@@ -93,7 +93,7 @@ std::string interface_table(const GridQuality& q) {
     const auto name = [](const InterfaceQuality& i) { return i.measure.name; };
     const std::size_t width = width_of(q.interfaces, 9, name);
     std::string text = fmt::format("\n{:<{}} {:>10} {:>8} {:>14}\n", "interface", width,
-                                   "mismatched", "growth", "bend max/mean");
+                                   "mismatched", "growth", "bend MDS/ADS");
     for (const InterfaceQuality& i : q.interfaces) {
         text += fmt::format("{:<{}} {:>10} {:>8.3f} {:>8.1f}/{:.2f}\n", i.measure.name, width,
                             i.measure.mismatched, i.measure.growth.ratio, i.bends.greatest,

@@ -72,7 +72,7 @@ public:
     WallMeasure finish();
 
 private:
-    void include_node(const PointField& x, const PatchAxes& axes, const Node& n, bool beside_end);
+    void include_node(const PointField& x, const PatchAxes& axes, const Node& n, int from_end);
 
     WallMeasure measure_;
     std::vector<double> heights_;
@@ -89,22 +89,24 @@ void WallCollector::include(const PointField& x, const IndexBox& box) {
                     from_end =
                         std::min({from_end, n[axis] - box.begin[axis], box.end[axis] - n[axis]});
                 }
-                if (from_end > 0) include_node(x, axes, n, from_end == 1);
+                include_node(x, axes, n, from_end);
             }
         }
     }
 }
 
+/// `from_end`: how many nodes from an end of the patch, 2 for more.
 void WallCollector::include_node(const PointField& x, const PatchAxes& axes, const Node& n,
-                                 bool beside_end) {
-    if (is_collapsed(x, axes, n)) return;
+                                 int from_end) {
     const Vec3 place = x(n[0], n[1], n[2]);
     const Vec3 interval = neighbour(x, n, axes.normal, axes.inward) - place;
-    heights_.push_back(norm(interval));
+    const double height = norm(interval);
+    if (height != 0) heights_.push_back(height);
+    if (from_end == 0 || is_collapsed(x, axes, n)) return;
     std::vector<Vec3> tangents;
     for (const std::size_t axis : axes.along) tangents.push_back(tangent(x, n, axis));
     const double angle = angle_from_normal(interval, tangents);
-    if (beside_end) {
+    if (from_end == 1) {
         measure_.greatest_angle_beside_ends = std::max(measure_.greatest_angle_beside_ends, angle);
         return;
     }

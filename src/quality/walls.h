@@ -11,11 +11,12 @@
 
 namespace hexweave {
 
-/// The first intervals of the grid lines that leave a family of walls, at every node of its patches
-/// but those on their ends, which are given by the edges. Angles are degrees from the wall's normal
-/// (in a surface grid: from its normal within the surface). Nodes beside an end, where a grid line
-/// may be squeezed by a corner, are counted apart; those where a side is collapsed have no normal
-/// and are left out.
+/// The first intervals of the grid lines that leave a family of walls. Heights are their lengths,
+/// at every node of its patches (those without length, of poles, do not count). Angles are degrees
+/// from the wall's normal (in a surface grid: from its normal within the surface), at every node
+/// but those on the ends of patches, where edges give the line, and those where a side is
+/// collapsed, which has no normal; nodes beside an end, where a grid line may be squeezed by a
+/// corner, are counted apart.
 struct WallMeasure {
     std::string family;
     std::size_t nodes = 0;  ///< not beside an end
@@ -23,7 +24,7 @@ struct WallMeasure {
     double greatest_angle = 0;
     Vec3 worst_place;
     double greatest_angle_beside_ends = 0;
-    double least_height = 0;  ///< length of the interval, over all nodes
+    double least_height = 0;
     double median_height = 0;
     double greatest_height = 0;
 };

@@ -169,3 +169,22 @@ TEST_CASE("walls are told by their type, from either side of a zone, in three di
     none.families[1].type = "BCSymmetryPlane";
     CHECK(measure_walls(none).empty());
 }
+
+TEST_CASE("heights are those of all nodes of a wall, the ends of its patches too") {
+    const PointField x = sampled({6, 3, 1}, [](double i, double j, double) {
+        return Vec3{i, j * (0.1 + 0.02 * i), 0};
+    });
+    const auto walls = measure_walls(with_wall(x, {{0, 0, 0}, {5, 0, 0}}));
+    REQUIRE(walls.size() == 1);
+    CHECK(walls[0].nodes == 2);  // for angles, away from the ends
+    CHECK(walls[0].least_height == Approx(0.1));
+    CHECK(walls[0].median_height == Approx(0.16));
+    CHECK(walls[0].greatest_height == Approx(0.2));
+    // At a pole there is no first cell.
+    const PointField fan = sampled({4, 3, 1}, [](double i, double j, double) {
+        return Vec3{i, 0.1 * i * j, 0};
+    });
+    const auto of_fan = measure_walls(with_wall(fan, {{0, 0, 0}, {3, 0, 0}}));
+    CHECK(of_fan[0].least_height == Approx(0.1));
+    CHECK(of_fan[0].median_height == Approx(0.2));
+}
