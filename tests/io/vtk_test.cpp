@@ -2,12 +2,20 @@
 // VTK files as VTK itself reads them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "io/cgns_samples.h"
 #include "io/grid_file.h"
 #include "io/scratch.h"
+#include "io/vtk.h"
+#include "quality/cell_corners.h"
+#include "quality/cell_measures.h"
 
 using namespace hexweave;
 
@@ -51,6 +59,35 @@ std::string expected(const MultiblockGrid& grid) {
     return text;
 }
 
+/// A zone with our measures of its cells, as tests/tools/vtk_quality.py reads it.
+void write_measured(const Zone& zone, bool planar, const std::filesystem::path& path) {
+    const Extent e = zone.points.extent();
+    std::vector<double> scaled;
+    std::vector<double> jacobian;
+    std::vector<double> volume;
+    std::vector<double> skip;
+    for (int k = 0; k < std::max(e.nk - 1, 1); ++k) {
+        for (int j = 0; j + 1 < e.nj; ++j) {
+            for (int i = 0; i + 1 < e.ni; ++i) {
+                const Node cell{i, j, k};
+                const CellMeasures measures = measure_cell(zone.points, cell, planar);
+                scaled.push_back(measures.scaled_jacobian);
+                volume.push_back(measures.volume);
+                jacobian.push_back(std::numeric_limits<double>::infinity());
+                skip.push_back(0);
+                for (const CellCorner& corner : cell_corners(zone.points, cell, planar)) {
+                    jacobian.back() = std::min(jacobian.back(), corner.jacobian);
+                    if (corner.counted_apart()) skip.back() = 1;
+                }
+            }
+        }
+    }
+    write_vtk_grid(
+        zone.points, {},
+        {{"scaled_jacobian", scaled}, {"jacobian", jacobian}, {"volume", volume}, {"skip", skip}},
+        path);
+}
+
 }  // namespace
 
 TEST_CASE("VTK reads back zones, patches and families of its own files") {
@@ -74,5 +111,36 @@ TEST_CASE("VTK reads back zones, patches and families of its own files") {
         }
         CHECK(outcome.status == 0);
         CHECK(outcome.output == expected(grid));
+    }
+}
+
+TEST_CASE("VTK's vtkMeshQuality finds the same Jacobians and volumes in real grids") {
+    for (const char* name : {"swept_wing", "rounded_tip", "naca0012"}) {
+        const Scratch scratch;
+        const MultiblockGrid grid =
+            read_grid(fmt::format("{}/tests/goldens/{}.cgns", HEXWEAVE_SOURCE_DIR, name));
+        std::string command = "/usr/bin/python3 " HEXWEAVE_SOURCE_DIR "/tests/tools/vtk_quality.py";
+        for (const Zone& zone : grid.zones) {
+            const auto path = scratch.path(zone.name + ".vts");
+            write_measured(zone, grid.physical_dimension == 2, path);
+            command += " " + path.string();
+        }
+        const Outcome outcome = run(command);
+        if (outcome.status == 77) {
+            WARN(outcome.output);
+            return;
+        }
+        INFO(name << ": " << outcome.output);
+        REQUIRE(outcome.status == 0);
+        std::istringstream numbers(outcome.output);
+        std::size_t cells = 0;
+        double scaled_jacobian = 1;
+        double jacobian = 1;
+        double volume = 1;
+        numbers >> cells >> scaled_jacobian >> jacobian >> volume;
+        CHECK(cells > 2000);
+        CHECK(scaled_jacobian < 1e-12);
+        CHECK(jacobian < 1e-12);
+        CHECK(volume < 1e-9);  // of thin cells: thirds of their height are rounded
     }
 }
