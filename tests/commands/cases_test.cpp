@@ -32,49 +32,59 @@ struct ShippedCase {
     std::string expected_of_vtk;  // tests/tools/vtk_check.py
 };
 
-const std::vector<ShippedCase> shipped_cases{
+const std::vector<ShippedCase> shipped_cases {
     {"naca0012", "", 4, 8192,
      "--zones front_up=33x65x1 rear_up=33x65x1 rear_low=33x65x1 front_low=33x65x1 --families "
      "airfoil farfield"},
-    {"rae2822", "", 4, 24576,
-     "--zones upper=81x97x1 lower=81x97x1 wake_up=49x97x1 wake_low=49x97x1 --families airfoil "
-     "farfield outflow"},
-    {"half_cylinder", "", 10, 2048,
-     "--zones lower_e=17x13x1 upper_e=17x13x1 upper_w=17x13x1 lower_w=17x13x1 side_e=17x13x1 "
-     "corner_e=17x17x1 top_e=13x17x1 top_w=13x17x1 corner_w=17x17x1 side_w=17x13x1 "
-     "--families cylinder symmetry top inflow outflow"},
-    {"obstacle", "", 1, 24000, "--zones ring=401x61x1 --families body farfield"},
-    {"scherk", "", 1, 1600, "--zones surface=41x41x1 --families rim"},
-    {"pipe", "--set across=8 --set radial=12 --set along=10", 5, 4480,
-     "--zones middle=9x9x11 east=13x9x11 north=13x9x11 west=13x9x11 south=13x9x11 "
-     "--families wall inlet outlet"},
-    {"swept_wing", "--set span_cells=6 --set wall_cells=20 --set wake_cells=10 --set normal=24", 4,
-     8640,
-     "--zones upper=21x25x7 lower=21x25x7 wake_up=11x25x7 wake_low=11x25x7 "
-     "--families wing farfield outflow root tip"},
-    {"rounded_tip", "--set chordwise=24 --set spanwise=20 --set normal=20", 1, 9600,
-     "--zones above=25x21x21 --families wing farfield root middle"},
-    {"onera_m6",
-     "--set chordwise=24 --set spanwise=12 --set cap_cells=8 --set wake_cells=20 --set normal=24",
-     4, 42240,
-     "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
-     "--families wing symmetry farfield outflow"},
-    {"iges_wing", "", 6, 5760,
-     "--zones inner_up=49x21x1 inner_low=49x21x1 outer_up=49x29x1 outer_low=49x29x1 cap_up=49x13x1 "
-     "cap_low=49x13x1 --families root pole_point"},
+        {"rae2822", "", 4, 24576,
+         "--zones upper=81x97x1 lower=81x97x1 wake_up=49x97x1 wake_low=49x97x1 --families airfoil "
+         "farfield outflow"},
+        {"half_cylinder", "", 10, 2048,
+         "--zones lower_e=17x13x1 upper_e=17x13x1 upper_w=17x13x1 lower_w=17x13x1 side_e=17x13x1 "
+         "corner_e=17x17x1 top_e=13x17x1 top_w=13x17x1 corner_w=17x17x1 side_w=17x13x1 "
+         "--families cylinder symmetry top inflow outflow"},
+        {"obstacle", "", 1, 24000, "--zones ring=401x61x1 --families body farfield"},
+        {"scherk", "", 1, 1600, "--zones surface=41x41x1 --families rim"},
+        {"pipe", "--set across=8 --set radial=12 --set along=10", 5, 4480,
+         "--zones middle=9x9x11 east=13x9x11 north=13x9x11 west=13x9x11 south=13x9x11 "
+         "--families wall inlet outlet"},
+        {"swept_wing", "--set span_cells=6 --set wall_cells=20 --set wake_cells=10 --set normal=24",
+         4, 8640,
+         "--zones upper=21x25x7 lower=21x25x7 wake_up=11x25x7 wake_low=11x25x7 "
+         "--families wing farfield outflow root tip"},
+        {"rounded_tip", "--set chordwise=24 --set spanwise=20 --set normal=20", 1, 9600,
+         "--zones above=25x21x21 --families wing farfield root middle"},
+        {"onera_m6",
+         "--set chordwise=24 --set spanwise=12 --set cap_cells=8 --set wake_cells=20 --set "
+         "normal=24",
+         4, 42240,
+         "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
+         "--families wing symmetry farfield outflow"},
+        {"wing_body",
+         "--set chordwise=16 --set spanwise=12 --set beyond=6 --set lens=4 --set wake_cells=16 "
+         "--set inner=8 --set outer=8",
+         5, 18816,
+         "--zones upper_wing=17x19x17 lower_wing=17x19x17 upper_wake=17x17x19 lower_wake=17x17x19 "
+         "tip=17x5x7 --families wing body symmetry farfield outflow pole_line"},
+        {"iges_wing", "", 6, 5760,
+         "--zones inner_up=49x21x1 inner_low=49x21x1 outer_up=49x29x1 outer_low=49x29x1 "
+         "cap_up=49x13x1 "
+         "cap_low=49x13x1 --families root pole_point"},
 #if HEXWEAVE_HAS_CAD
-    {"onera_m6_cad",
-     "--set chordwise=24 --set spanwise=12 --set cap_cells=8 --set wake_cells=20 --set normal=24",
-     4, 42240,
-     "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
-     "--families wing symmetry farfield outflow"},
+        {"onera_m6_cad",
+         "--set chordwise=24 --set spanwise=12 --set cap_cells=8 --set wake_cells=20 --set "
+         "normal=24",
+         4, 42240,
+         "--zones upper_wing=25x21x25 lower_wing=25x21x25 upper_wake=21x25x21 lower_wake=21x25x21 "
+         "--families wing symmetry farfield outflow"},
 #endif
-    {"unit_square", "", 4, 6400,
-     "--zones mild=41x41x1 strong=41x41x1 first_mild=41x41x1 first_strong=41x41x1 --families rim"},
-    {"tanh", "", 2, 3200, "--zones left=41x41x1 right=41x41x1 --families rim"},
-    {"pylon", "", 7, 14336,
-     "--zones nose=65x33x1 side_in=65x33x1 side_out=65x33x1 wake_in=33x33x1 wake_out=33x33x1 "
-     "inboard=97x33x1 outboard=97x33x1 --families pylon rim"},
+        {"unit_square", "", 4, 6400,
+         "--zones mild=41x41x1 strong=41x41x1 first_mild=41x41x1 first_strong=41x41x1 --families "
+         "rim"},
+        {"tanh", "", 2, 3200, "--zones left=41x41x1 right=41x41x1 --families rim"},
+        {"pylon", "", 7, 14336,
+         "--zones nose=65x33x1 side_in=65x33x1 side_out=65x33x1 wake_in=33x33x1 wake_out=33x33x1 "
+         "inboard=97x33x1 outboard=97x33x1 --families pylon rim"},
 };
 
 /// Interfaces whose two sides differ in any bit, by the nodes of the file.
@@ -229,6 +239,51 @@ TEST_CASE("the rounded tip's wall is on the wing, its far field on the sphere, i
         if (q > 0.5) thickest_at_tip = std::max(thickest_at_tip, p.z);
     });
     CHECK(thickest_at_tip > 0.02);
+}
+
+TEST_CASE("the walls of the wing-body are those of the model, its planes are exact") {
+    const Scratch scratch;
+    REQUIRE(scratch
+                .hexweave("run --quiet " + shipped("wing_body.yaml") +
+                          " --set chordwise=16 --set spanwise=12 --set beyond=6 --set lens=4 "
+                          "--set wake_cells=16 --set inner=8 --set outer=8 --json report.json "
+                          "-o body.cgns")
+                .exit_code == 0);
+    const MultiblockGrid grid = read_cgns(scratch.path() / "body.cgns");
+    for_each_node(grid, "symmetry", [](const Vec3& p) { CHECK(p.z == 0); });
+    std::size_t at_tip = 0;
+    for_each_node(grid, "wing", [&](const Vec3& p) {
+        CHECK(p.z > 0.5);
+        CHECK(p.z < 4 + 1e-12);
+        at_tip += std::abs(p.z - 4) < 1e-12;
+        // Nothing of it is before its straight leading edge, or behind its straight trailing edge.
+        const double leading = 0.7498 - (4 - p.z) * (0.7498 + 0.1126) / (4 - 0.5514);
+        const double trailing = 1.1498 - (4 - p.z) * (1.1498 - 0.8005) / (4 - 0.5044);
+        CHECK(p.x > leading - 1e-3);
+        CHECK(p.x < trailing + 1e-3);
+    });
+    CHECK(at_tip == std::size_t{17} * 5 + 2 * 17);  // the cap, and the rims of both sides
+    // The body's greatest section, from its nose on; behind its base the sting's.
+    for_each_node(grid, "body", [](const Vec3& p) {
+        const bool sting = p.x > 4.2;
+        CHECK(p.x > -3.1);
+        CHECK(p.y < (sting ? 0.63 : 0.851));
+        CHECK(p.y > (sting ? -0.13 : -0.351));
+        CHECK(p.z >= 0);
+        CHECK(p.z < (sting ? 0.381 : 0.601));
+        if (p.z == 0 && p.x > -1.6 && p.x < -0.6) {
+            CHECK(std::min(std::abs(p.y - 0.85), std::abs(p.y + 0.35)) < 1e-4);
+        }
+    });
+    for_each_node(grid, "pole_line", [](const Vec3& p) { CHECK(p.z > 4 - 1e-12); });
+    const Json report = Json::parse(scratch.read("report.json"))["report"];
+    for (const Json& solve : report["solves"]) {
+        for (const Json& side : solve["heights"]) CHECK(side["median"] == Approx(1).epsilon(0.01));
+    }
+    // The patches of the model gape where they meet at the nose, by no more than this.
+    for (const Json& solve : report["solves"]) {
+        if (!solve["off_surface"].is_null()) CHECK(solve["off_surface"]["distance"] < 1e-3);
+    }
 }
 
 TEST_CASE("first cells off the swept wing are as high as asked, all over it") {
