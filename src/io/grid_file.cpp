@@ -49,6 +49,22 @@ MultiblockGrid read_plot3d_and_map(const std::filesystem::path& path) {
     return grid;
 }
 
+/// Throws UsageError, naming the first node that is none.
+void require_numbers(const MultiblockGrid& grid, const std::filesystem::path& path) {
+    for (const Zone& zone : grid.zones) {
+        const Extent& e = zone.points.extent();
+        for (std::size_t n = 0; n < e.nodes(); ++n) {
+            if (is_finite(zone.points[n])) continue;
+            const auto ni = static_cast<std::size_t>(e.ni);
+            const auto nj = static_cast<std::size_t>(e.nj);
+            throw UsageError(fmt::format(
+                "cannot read '{}': node ({}, {}, {}) of zone '{}' has a coordinate "
+                "that is not a finite number",
+                path.string(), n % ni + 1, n / ni % nj + 1, n / ni / nj + 1, zone.name));
+        }
+    }
+}
+
 constexpr const char* foam_ending = ".foam";
 
 bool names_marker(const std::filesystem::path& path) {
@@ -155,19 +171,23 @@ void write_grid(const MultiblockGrid& grid, const ReservedOutput& reserved, Outp
 }
 
 MultiblockGrid read_grid(const std::filesystem::path& path, std::optional<GridFormat> format) {
+    MultiblockGrid grid;
     switch (format ? *format : format_to_read(path)) {
         case GridFormat::cgns:
-            return read_cgns(path);
+            grid = read_cgns(path);
+            break;
         case GridFormat::plot3d:
-            return read_plot3d_and_map(path);
+            grid = read_plot3d_and_map(path);
+            break;
         case GridFormat::vtk:
         case GridFormat::openfoam:
-            break;
+            throw UsageError(
+                fmt::format("cannot read '{}': hexweave writes this format and reads CGNS and "
+                            "Plot3D",
+                            path.string()));
     }
-    throw UsageError(
-        fmt::format("cannot read '{}': hexweave writes this format and reads CGNS and "
-                    "Plot3D",
-                    path.string()));
+    require_numbers(grid, path);
+    return grid;
 }
 
 }  // namespace hexweave

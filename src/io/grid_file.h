@@ -16,7 +16,7 @@ namespace hexweave {
 
 /// Reads CGNS (.cgns, and HDF5 or ADF files of any other name) and Plot3D (see plot3d_endings),
 /// with the neutral map file of the same stem (grid.nmf beside grid.xyz) where there is one.
-/// `format` overrules the name. Throws UsageError.
+/// `format` overrules the name. Throws UsageError, also where a coordinate is not a finite number.
 MultiblockGrid read_grid(const std::filesystem::path& path,
                          std::optional<GridFormat> format = std::nullopt);
 

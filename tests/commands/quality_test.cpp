@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gates in the input, and `hexweave quality`, as a user meets them.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -72,9 +73,31 @@ TEST_CASE("quality judges a grid of another's making and says so by its exit cod
     CHECK(folded.exit_code == 1);
     CHECK_THAT(folded.out, Contains("NOT SOUND: 1 folded cells"));
 
-    scratch.write("text.cgns", "not a grid\n");
-    const Finished wrong = scratch.hexweave("quality text.cgns");
-    CHECK(wrong.exit_code == 2);
-    CHECK_THAT(wrong.err, Contains("text.cgns"));
     CHECK(scratch.hexweave("quality nowhere.cgns").exit_code == 2);
+}
+
+TEST_CASE("damaged grids are one message and exit 2, whatever is done with them") {
+    const Scratch scratch;
+    scratch.write("text.cgns", "not a grid\n");
+    const std::string golden = slurp(HEXWEAVE_SOURCE_DIR "/tests/goldens/scherk.cgns");
+    scratch.write("cut.cgns", golden.substr(0, golden.size() / 2));
+    scratch.write("cut.p2d", "1\n3 2\n0 1 2 0 1\n");
+    scratch.write("nan.p2d", "1\n3 2\n0 1 2 0 nan 2\n0 0 0 1 1 1\n");
+    scratch.write("mapped.p2d", "1\n3 2\n0 1 2 0 1 2\n0 0 0 1 1 1\n");
+    scratch.write("mapped.nmf", "1\n1 3 3 1\n");
+    const std::string before = scratch.listing();
+    for (const std::string grid : {"text.cgns", "cut.cgns", "cut.p2d", "nan.p2d", "mapped.p2d"}) {
+        for (const std::string& command :
+             {"quality " + grid, "quality " + grid + " --json -", "plot " + grid + " -o grid.png",
+              "convert " + grid + " grid.cgns", "convert " + grid + " grid.vtm"}) {
+            const Finished run = scratch.hexweave(command);
+            INFO(command << ": " << run.err);
+            CHECK(run.exit_code == 2);
+            CHECK(run.out.empty());
+            CHECK_THAT(run.err, Contains("hexweave: error: "));
+            CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+            CHECK_THAT(run.err, Contains(grid.substr(0, grid.find('.'))));
+        }
+    }
+    CHECK(scratch.listing() == before);
 }

@@ -191,7 +191,11 @@ TEST_CASE("Numbers that are none come back as such") {
     grid.zones[1].points.z(0, 0, 0) = -std::numeric_limits<double>::infinity();
     for (const Plot3dForm form : {Plot3dForm::text, Plot3dForm::unformatted}) {
         write_both(grid, scratch.path("nan.xyz"), form);
-        check_same_grid(read_grid(scratch.path("nan.xyz")), grid);
+        MultiblockGrid read = read_plot3d(scratch.path("nan.xyz"));
+        read_neutral_map(scratch.path("nan.nmf"), read);
+        check_same_grid(read, grid);
+        CHECK_THAT(error_of(scratch.path("nan.xyz")),
+                   Contains("node (2, 2, 2) of zone 'a' has a coordinate that is not a finite"));
     }
 }
 
