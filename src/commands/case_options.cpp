@@ -65,21 +65,24 @@ void add_threads_option(CLI::App& command, int& threads) {
         ->type_name("N");
 }
 
+void write_text(const std::string& text, const std::filesystem::path& path) {
+    std::ofstream stream(path, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream) {
+        throw MachineError(
+            fmt::format("cannot write '{}': {}", path.string(), error_reason(errno)));
+    }
+}
+
 void write_json_text(const std::string& text, const std::string& path) {
     if (path == "-") {
         std::fputs(text.c_str(), stdout);
         return;
     }
     OutputFiles files;
-    files.write(files.stage(path), [&text](const std::filesystem::path& temporary) {
-        std::ofstream stream(temporary, std::ios::binary);
-        stream << text;
-        stream.close();
-        if (!stream) {
-            throw MachineError(
-                fmt::format("cannot write '{}': {}", temporary.string(), error_reason(errno)));
-        }
-    });
+    files.write(files.stage(path),
+                [&text](const std::filesystem::path& temporary) { write_text(text, temporary); });
     files.commit();
 }
 

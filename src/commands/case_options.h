@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -34,6 +35,9 @@ std::shared_ptr<const SourceFile> read_source(const std::string& config);
 
 /// -j, --threads: 0 where it is not given, for choose_threads.
 void add_threads_option(CLI::App& command, int& threads);
+
+/// Writes a whole file (stage it with OutputFiles first). Throws MachineError.
+void write_text(const std::string& text, const std::filesystem::path& path);
 
 /// Writes a text that is JSON to a file; "-" prints it.
 void write_json_text(const std::string& text, const std::string& path);

@@ -42,6 +42,7 @@ ExitCode check(const CheckOptions& options, Outcome& outcome) {
         read_case(read_source(options.config), parse_overrides(options.set), outcome.diagnostics);
     const Topology topology = resolve(written, outcome.diagnostics);
     settle_warnings(outcome.diagnostics, options);
+    outcome.parameters = topology.parameters;
     outcome.grids.push_back(planned_grid(topology));
     const std::string text = options.explain.empty()
                                  ? to_text(topology)

@@ -19,6 +19,7 @@ void add_plot(CLI::App& app, ChosenCommand& chosen);
 void add_geometry(CLI::App& app, ChosenCommand& chosen);
 void add_compare(CLI::App& app, ChosenCommand& chosen);
 void add_quality(CLI::App& app, ChosenCommand& chosen);
+void add_report(CLI::App& app, ChosenCommand& chosen);
 void add_docs(CLI::App& app, ChosenCommand& chosen);
 void add_schema(CLI::App& app, ChosenCommand& chosen);
 

@@ -69,7 +69,8 @@ Vec3 read_view(const std::string& text) {
     throw UsageError("--view " + text + ": a view is top, front, side, iso or X,Y,Z");
 }
 
-/// "wing:k=3" or "*:k=3"; users count nodes from 1.
+}  // namespace
+
 IndexPlane read_plane(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     const std::string_view rest =
@@ -85,8 +86,6 @@ IndexPlane read_plane(const std::string& text) {
     const std::string zone = text.substr(0, colon);
     return {zone == "*" ? "" : zone, static_cast<int>(axis), *index - 1};
 }
-
-}  // namespace
 
 PictureOptions picture_options(const PlotArguments& arguments) {
     PictureOptions options;

@@ -28,6 +28,10 @@ struct PlotArguments {
 /// What the arguments say to draw. Throws UsageError for one that cannot be read.
 PictureOptions picture_options(const PlotArguments& arguments);
 
+/// "wing:k=3", or "*:k=3" for every zone; nodes are counted from 1. Throws UsageError for anything
+/// else.
+IndexPlane read_plane(const std::string& text);
+
 /// Reads the grid, writes the picture and prints one line that says what it shows.
 ExitCode plot(const PlotArguments& arguments);
 

@@ -53,6 +53,7 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
     const auto source = read_source(options.input.config);
     const std::vector<Override> overrides = parse_overrides(options.input.set);
     const Topology topology = read_topology(source, overrides, outcome.diagnostics);
+    outcome.parameters = topology.parameters;
     settle_warnings(outcome.diagnostics, options.input);
     outcome.grids.push_back(planned_grid(topology));
 

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/diagnostics.h"
 #include "core/errors.h"
+#include "io/grid_names.h"
 
 namespace hexweave {
 
@@ -50,36 +50,13 @@ IndexBox plane_of(const Extent& extent, int axis, int index) {
     return box;
 }
 
-std::string unknown(const std::string& kind, const std::string& name,
-                    const std::vector<std::string>& known) {
-    const std::string nearest = nearest_name(name, known);
-    if (!nearest.empty()) {
-        return fmt::format("the grid has no {} '{}'; did you mean '{}'?", kind, name, nearest);
-    }
-    std::string list;
-    for (std::size_t i = 0; i < known.size() && i < 12; ++i) {
-        list += (i == 0 ? "" : ", ") + known[i];
-    }
-    if (known.size() > 12) list += fmt::format(", and {} more", known.size() - 12);
-    if (list.empty()) list = "none";
-    return fmt::format("the grid has no {} '{}'; it has: {}", kind, name, list);
-}
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& things) {
-    std::vector<std::string> names;
-    names.reserve(things.size());
-    for (const Named& thing : things) names.push_back(thing.name);
-    return names;
-}
-
 /// For every family whether it is to be drawn.
 std::vector<bool> chosen_families(const MultiblockGrid& grid, const PictureOptions& options) {
     const std::vector<std::string> names = names_of(grid.families);
     std::vector<bool> chosen(names.size(), options.families.empty());
     for (const std::string& wanted : options.families) {
         const auto found = std::find(names.begin(), names.end(), wanted);
-        if (found == names.end()) throw UsageError(unknown("family", wanted, names));
+        if (found == names.end()) throw UsageError(unknown_in_grid("family", wanted, names));
         chosen[static_cast<std::size_t>(found - names.begin())] = true;
     }
     return chosen;
@@ -147,15 +124,11 @@ public:
     }
 
     void add_planes() {
-        const std::vector<std::string> names = names_of(grid_.zones);
         for (const IndexPlane& plane : options_.planes) {
-            bool found = false;
-            for (int zone = 0; zone < static_cast<int>(grid_.zones.size()); ++zone) {
-                if (!plane.zone.empty() && plane.zone != zone_of(grid_, zone).name) continue;
-                found = true;
-                add_plane(zone, plane);
+            for (const int zone : zones_of_plane(grid_, plane)) {
+                const Extent& extent = zone_of(grid_, zone).points.extent();
+                add_sheet(zone, plane_of(extent, plane.axis, plane.index), std::nullopt);
             }
-            if (!found) throw UsageError(unknown("zone", plane.zone, names));
         }
     }
 
@@ -190,18 +163,6 @@ private:
             if (families_[static_cast<std::size_t>(patch.family)]) chosen.push_back(patch);
         }
         return chosen;
-    }
-
-    void add_plane(int zone, const IndexPlane& plane) {
-        const Extent& extent = zone_of(grid_, zone).points.extent();
-        const int nodes = extent[plane.axis];
-        if (plane.index < 0 || plane.index >= nodes) {
-            const char axis = "ijk"[plane.axis];
-            throw UsageError(
-                fmt::format("zone '{}' has no index plane {} = {}: {} runs from 1 to {}",
-                            zone_of(grid_, zone).name, axis, plane.index + 1, axis, nodes));
-        }
-        add_sheet(zone, plane_of(extent, plane.axis, plane.index), std::nullopt);
     }
 
     void add_sheet(int zone, const IndexBox& box, std::optional<int> family) {

@@ -120,6 +120,10 @@ Json offender(const OffenderFile& o) {
     return {{"name", o.name}, {"kind", o.is_block ? "block" : "face"}, {"file", o.path}};
 }
 
+Json parameter(const Parameter& p) {
+    return {{"name", p.name.value}, {"value", json_of(p.value)}, {"overridden", p.overridden}};
+}
+
 Json report_json(const Report& r) {
     return {{"title", r.title},
             {"sound", r.sound()},
@@ -163,6 +167,7 @@ std::string to_json(const Outcome& outcome) {
               {"offenders", json_list(outcome.offenders, offender)},
               {"diagnostics", json_list(outcome.diagnostics.all(), diagnostic)},
               {"failure", outcome.failure},
+              {"parameters", json_list(outcome.parameters, parameter)},
               {"grids", json_list(outcome.grids, planned)}};
     json["report"] = outcome.report ? report_json(*outcome.report) : Json(nullptr);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

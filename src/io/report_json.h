@@ -10,6 +10,7 @@
 #include "io/offender_files.h"
 #include "io/planned_grid.h"
 #include "quality/report.h"
+#include "topology/case.h"
 
 namespace hexweave {
 
@@ -21,8 +22,9 @@ struct Outcome {
     std::vector<std::string> outputs;     ///< files that were written
     std::vector<OffenderFile> offenders;  ///< likewise, of what ended folded or unconverged
     Diagnostics diagnostics;
-    std::string failure;             ///< what the machine failed at; empty when it did not
-    std::vector<PlannedGrid> grids;  ///< that were resolved
+    std::string failure;                ///< what the machine failed at; empty when it did not
+    std::vector<PlannedGrid> grids;     ///< that were resolved
+    std::vector<Parameter> parameters;  ///< of the case, where it could be read
     std::optional<Report> report;
 };
 

@@ -60,6 +60,7 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     topology.title = c.title;
     topology.units = c.units;
     topology.provenance = c.provenance;
+    topology.parameters = c.parameters;
     topology.gates = c.gates;
     topology.outputs = c.outputs;
     return topology;

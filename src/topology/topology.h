@@ -207,6 +207,7 @@ struct Topology {
     std::string title;
     std::string units;
     std::string provenance;
+    std::vector<Parameter> parameters;  ///< with their values, for the record
     std::vector<Vertex> vertices;
     std::vector<Edge> edges;
     std::vector<Face> faces;
