@@ -39,6 +39,10 @@ const std::vector<ShippedCase> shipped_cases {
         {"rae2822", "", 4, 24576,
          "--zones upper=81x97x1 lower=81x97x1 wake_up=49x97x1 wake_low=49x97x1 --families airfoil "
          "farfield outflow"},
+        {"two_element", "", 8, 47212,
+         "--zones wing=169x115x1 wake_up=95x115x1 slot=58x77x1 slot_wake=45x77x1 nose=75x39x1 "
+         "flap_wake=45x39x1 under=53x55x1 under_wake=45x55x1 "
+         "--families airfoil flap farfield outflow"},
         {"half_cylinder", "", 10, 2048,
          "--zones lower_e=17x13x1 upper_e=17x13x1 upper_w=17x13x1 lower_w=17x13x1 side_e=17x13x1 "
          "corner_e=17x17x1 top_e=13x17x1 top_w=13x17x1 corner_w=17x17x1 side_w=17x13x1 "
@@ -315,6 +319,47 @@ TEST_CASE("first cells off the swept wing are as high as asked, all over it") {
         }
     }
     CHECK(held == 9);
+}
+
+TEST_CASE("the grid about airfoil and flap is held at both walls, smooth and nearly square") {
+    const Scratch scratch;
+    REQUIRE(scratch
+                .hexweave("run --quiet " + shipped("two_element.yaml") +
+                          " --json report.json -o flap.cgns")
+                .exit_code == 0);
+    const Json report = Json::parse(scratch.read("report.json"))["report"];
+    CHECK(report["angles"]["least"] > 50);
+    CHECK(report["angles"]["greatest"] < 125);
+    REQUIRE(report["walls"].size() == 2);
+    for (const Json& wall : report["walls"]) {
+        INFO(wall["family"]);
+        CHECK(wall["least_height"].get<double>() == Approx(1e-5).epsilon(1e-3));
+        CHECK(wall["greatest_height"].get<double>() == Approx(1e-5).epsilon(1e-3));
+        CHECK(wall["greatest_angle"] < 1);
+        CHECK(wall["greatest_angle_beside_ends"] < 1.5);
+    }
+    for (const Json& zone : report["zones"]) {
+        const bool at_five_fold_points = zone["name"] == "wing" || zone["name"] == "under";
+        INFO(zone["name"]);
+        CHECK(zone["growth"][0]["ratio"] < 1.45);
+        CHECK(zone["growth"][1]["ratio"] < (at_five_fold_points ? 1.8 : 1.32));
+    }
+    for (const Json& interface : report["interfaces"]) {
+        INFO(interface["name"]);
+        CHECK(interface["growth"]["ratio"] < (interface["name"] == "front" ? 2.5 : 1.7));
+    }
+}
+
+TEST_CASE("the flap of two elements may be moved and turned, and takes its lines along") {
+    for (const char* placed :
+         {"--set flap_y=-0.03 --set angle=0.44", "--set flap_x=1 --set angle=0.26"}) {
+        INFO(placed);
+        const Scratch scratch;
+        const Finished run = scratch.hexweave("run " + shipped("two_element.yaml") + " " + placed +
+                                              " -o moved.cgns");
+        INFO(run.out << run.err);
+        CHECK(run.exit_code == 0);
+    }
 }
 
 TEST_CASE("the bytes do not depend on the threads, nor on the run") {
