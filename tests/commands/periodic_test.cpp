@@ -10,6 +10,7 @@
 #include "core/multiblock.h"
 #include "core/periodic_image.h"
 #include "io/cgns.h"
+#include "tests/commands/images.h"
 #include "tests/commands/program.h"
 
 using namespace hexweave;
@@ -32,23 +33,6 @@ MultiblockGrid checked_grid(const Scratch& scratch, const std::string& name) {
     CHECK(check.out.find("ERROR") == std::string::npos);
     CHECK(check.out.find("WARNING") == std::string::npos);
     return read_cgns(scratch.path() / "grid.cgns");
-}
-
-/// How many nodes of an interface are not, to the bit, the images of those on its other side.
-int not_images(const MultiblockGrid& grid, const Interface& interface, const PeriodicMap& map) {
-    const PointField& own = grid.zones[static_cast<std::size_t>(interface.zone)].points;
-    const PointField& donor = grid.zones[static_cast<std::size_t>(interface.donor)].points;
-    int count = 0;
-    const IndexBox& box = interface.box;
-    for (int k = box.begin[2]; k <= box.end[2]; ++k) {
-        for (int j = box.begin[1]; j <= box.end[1]; ++j) {
-            for (int i = box.begin[0]; i <= box.end[0]; ++i) {
-                const Node n = donor_node(interface, {i, j, k});
-                if (!(image(map, own(i, j, k)) == donor(n[0], n[1], n[2]))) ++count;
-            }
-        }
-    }
-    return count;
 }
 
 }  // namespace
