@@ -6,6 +6,8 @@
 
 #include "blocks/assemble.h"
 #include "blocks/block_grid.h"
+#include "blocks/mirror_grid.h"
+#include "blocks/sweep_grid.h"
 #include "edges/edge_grid.h"
 #include "faces/face_grid.h"
 #include "quality/measure.h"
@@ -50,8 +52,11 @@ Generated generate(const Topology& topology, const Progress& progress) {
     const auto blocks = timed(times, "blocks", [&] {
         return make_blocks(topology, faces, counter(progress, "blocks", topology.blocks.size()));
     });
-    MultiblockGrid grid =
-        timed(times, "assemble", [&] { return assemble(topology, faces, blocks); });
+    MultiblockGrid grid = timed(times, "assemble", [&] {
+        MultiblockGrid drawn = assemble(topology, faces, blocks);
+        if (topology.mirror) drawn = with_mirror_image(drawn, *topology.mirror);
+        return topology.sweep ? swept(drawn, *topology.sweep) : drawn;
+    });
     Report report =
         timed(times, "measure", [&] { return measure(topology, edges, faces, blocks, grid); });
 

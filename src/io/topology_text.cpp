@@ -18,6 +18,7 @@ std::string zone_line(const std::string& name, const Extent& extent) {
 
 std::string boundary_line(const Topology& topology, const Boundary& boundary) {
     std::string text = fmt::format("  {:<24} {:<20}", boundary.family.name, boundary.family.type);
+    if (boundary.sides.empty()) text.erase(text.find_last_not_of(' ') + 1);
     for (const int side : boundary.sides) {
         const auto s = static_cast<std::size_t>(side);
         text += " " + (topology.is_3d() ? topology.faces[s].name : topology.edges[s].name);
@@ -47,6 +48,21 @@ std::string periodic_line(const Topology& topology, const PeriodicInterface& int
     return text + "\n";
 }
 
+std::string sweep_line(const Sweep& sweep) {
+    std::string text = fmt::format("swept by a {}, {} {}", map_text(sweep.whole), sweep.cells,
+                                   sweep.cells == 1 ? "cell" : "cells");
+    if (sweep.joined) return text + ", its ends joined\n";
+    return text + fmt::format(", from {} to {}\n", sweep.ends[0], sweep.ends[1]);
+}
+
+std::string mirror_line(const Topology& topology) {
+    const MirrorCopy& mirror = *topology.mirror;
+    const auto at = static_cast<std::size_t>(mirror.boundary);
+    return fmt::format("mirrored at {}, {} = {}: every zone twice\n",
+                       topology.boundaries[at].family.name, "xyz"[mirror.plane.axis],
+                       number_text(mirror.plane.value));
+}
+
 }  // namespace
 
 std::string adjusted_counts_text(const Topology& topology) {
@@ -68,13 +84,15 @@ std::string to_text(const Topology& topology) {
     if (topology.is_3d()) {
         for (const Block& b : topology.blocks) text += zone_line(b.name, b.extent);
     } else {
-        for (const Face& f : topology.faces) text += zone_line(f.name, f.extent());
+        for (const Face& f : topology.faces) text += zone_line(f.name, topology.zone_extent(f));
     }
     text += "boundaries:\n";
     for (const Boundary& b : topology.boundaries) text += boundary_line(topology, b);
     if (!topology.periodic.empty()) text += "periodic:\n";
     for (const PeriodicInterface& p : topology.periodic) text += periodic_line(topology, p);
     text += adjusted_counts_text(topology);
+    if (topology.sweep) text += sweep_line(*topology.sweep);
+    if (topology.mirror) text += mirror_line(topology);
     text += fmt::format("memory: about {:.2g} GB on {} {}\n",
                         estimated_bytes(topology, threads()) / 1e9, threads(),
                         threads() == 1 ? "thread" : "threads");

@@ -74,7 +74,8 @@ public:
     /// Poles that nobody claims.
     void collect_poles() {
         // In two dimensions a collapsed side is an edge less one dimension: a point.
-        const int to_point = network_.three_dimensional ? 2 : 1;
+        const bool in_space = network_.three_dimensional || network_.topology.sweep;
+        const int to_point = in_space ? 2 : 1;
         Boundary lines{{line_family, "BCDegenerateLine"}, {}, {}};
         Boundary points{{point_family, "BCDegeneratePoint"}, {}, {}};
         for (std::size_t n = 0; n < claims_.size(); ++n) {
@@ -185,6 +186,27 @@ void check_family_names(const Case& c, Diagnostics& diagnostics) {
     }
 }
 
+/// Only the ends of a sweep are boundaries without sides.
+void check_sides_given(const Case& c, Diagnostics& diagnostics) {
+    const auto is_end = [&](const BoundaryEntry& boundary) {
+        const auto named = [&](const std::optional<Name>& end) {
+            return end && end->value == boundary.name.value;
+        };
+        return c.sweep && (named(c.sweep->ends[0]) || named(c.sweep->ends[1]));
+    };
+    for (const BoundaryEntry& boundary : c.boundaries) {
+        if (!boundary.lacks_sides) continue;
+        if (!is_end(boundary)) {
+            diagnostics.error(boundary.name.place, fmt::format("boundary {} lacks the key 'sides'",
+                                                               quoted(boundary.name.value)));
+        } else if (boundary.plane) {
+            diagnostics.error(boundary.plane->place,
+                              "where the end of a sweep lies is not to be said",
+                              "leave 'plane' out: its points are exactly there");
+        }
+    }
+}
+
 /// Whether every side of the periodic interfaces found its image, or its origin.
 bool all_paired(const Topology& topology, const Case& c) {
     std::size_t sides = 0;
@@ -200,6 +222,7 @@ bool all_paired(const Topology& topology, const Case& c) {
 
 void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostics) {
     check_family_names(c, diagnostics);
+    check_sides_given(c, diagnostics);
     const GridSides sides = grid_sides(network);
     check_sharing(sides, diagnostics);
     const int errors = diagnostics.errors();

@@ -193,6 +193,7 @@ struct BoundaryEntry {
     Name type;  ///< a CGNS BCType name
     std::vector<Name> sides;
     std::optional<Located<AxisPlane>> plane;
+    bool lacks_sides = false;  ///< it is an end of a sweep
 };
 
 /// A turn about an axis.
@@ -208,6 +209,23 @@ struct PeriodicEntry {
     std::vector<Name> from;
     std::vector<Name> to;
     Located<std::variant<Vec3, RotationEntry>> map;
+};
+
+/// A planar grid that is moved along a vector or turned about an axis through space.
+struct SweepEntry {
+    Place place;
+    std::variant<Vec3, RotationEntry> map;
+    Located<int> cells;
+    std::optional<Located<SpacingEntry>> spacing{};
+    std::array<std::optional<Name>, 2> ends{};  ///< boundaries of the start and the end
+    bool periodic = false;                      ///< the ends are joined
+};
+
+/// A mirror image beside the whole grid, joined with it at a symmetry plane.
+struct MirrorEntry {
+    Place place;
+    Name at;                      ///< a boundary with a plane
+    bool families_apart = false;  ///< the image has families of its own
 };
 
 struct SolverEntry {
@@ -237,6 +255,8 @@ struct Case {
     std::vector<BlockEntry> blocks;
     std::vector<BoundaryEntry> boundaries;
     std::vector<PeriodicEntry> periodic;
+    std::optional<SweepEntry> sweep;
+    std::optional<MirrorEntry> mirror;
     SolverEntry solver;
     std::vector<Gate> gates;
     LevelsEntry levels;

@@ -43,7 +43,9 @@ GridSides edges_of_faces(const Topology& topology) {
     sides.kind = "edge";
     sides.user = "face";
     enter(topology.edges, sides);
-    for (const Edge& edge : topology.edges) sides.collapsed.push_back(edge.pole ? 1 : 0);
+    for (const Edge& edge : topology.edges) {
+        sides.collapsed.push_back((edge.pole ? 1 : 0) + (edge.on_axis ? 1 : 0));
+    }
     for (std::size_t f = 0; f < topology.faces.size(); ++f) {
         sides.names_of_users.push_back(topology.faces[f].name);
         for (const auto& side : topology.faces[f].sides) {

@@ -34,7 +34,9 @@ std::vector<ZoneSize> zones_of(const Topology& topology) {
     std::vector<ZoneSize> zones;
     for (const Block& b : topology.blocks) zones.push_back({"block", b.name, b.place, b.extent});
     if (topology.is_3d()) return zones;
-    for (const Face& f : topology.faces) zones.push_back({"face", f.name, f.place, f.extent()});
+    for (const Face& f : topology.faces) {
+        zones.push_back({"face", f.name, f.place, topology.zone_extent(f)});
+    }
     return zones;
 }
 

@@ -35,8 +35,9 @@ BoundaryEntry read_boundary(Reading& reading, const YamlNode& node) {
         if (read_choice(reading, *type, "'type'", words_of("boundary", "type")))
             boundary.type.value = type->text;
     }
-    const YamlNode* sides = require(reading, node, "sides", what);
+    const YamlNode* sides = find(reading, node, "sides");
     if (sides != nullptr) boundary.sides = read_sides(reading, *sides);
+    boundary.lacks_sides = sides == nullptr && !has_misspelled(reading, node);
     if (const YamlNode* plane = find(reading, node, "plane")) {
         const auto read = read_axis_plane(reading, *plane);
         if (read) boundary.plane = {*read, plane->place};

@@ -14,6 +14,7 @@
 #include "topology/read_output.h"
 #include "topology/read_parameters.h"
 #include "topology/read_periodic.h"
+#include "topology/read_sweep.h"
 #include "topology/read_values.h"
 #include "topology/shapes.h"
 #include "topology/yaml_tree.h"
@@ -126,6 +127,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.blocks, reading, *root, "blocks", read_blocks);
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
     read_into(c.periodic, reading, *root, "periodic", read_periodic);
+    read_sweep_and_mirror(reading, *root, c);
     c.multiple_of = read_multiple_of(reading, *root);
     read_solver(reading, *root, c.solver);
     c.outputs = read_output(reading, section_of(reading, *root, "output"));

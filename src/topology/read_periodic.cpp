@@ -14,6 +14,8 @@ namespace {
 
 using Map = std::variant<Vec3, RotationEntry>;
 
+constexpr double full_turn = 2 * std::numbers::pi;
+
 /// A unit vector along x, y or z, forwards or backwards.
 std::optional<Vec3> read_axis(Reading& reading, const YamlNode& node) {
     const std::optional<Vec3> axis = read_point(reading, node, "'axis'");
@@ -21,32 +23,31 @@ std::optional<Vec3> read_axis(Reading& reading, const YamlNode& node) {
     const int along = (axis->x != 0 ? 1 : 0) + (axis->y != 0 ? 1 : 0) + (axis->z != 0 ? 1 : 0);
     if (along == 1) return *axis / norm(*axis);
     reading.diagnostics.error(
-        node.place, "the axis of a periodic interface must be along x, y or z",
+        node.place, "'axis' must be along x, y or z",
         "files tell a turn by angles about these: write [1, 0, 0], [0, 1, 0] or [0, 0, 1]");
     return std::nullopt;
 }
 
+/// Not zero, and at most a full turn.
 std::optional<double> read_angle(Reading& reading, const YamlNode& node) {
     const std::optional<double> angle = read_number(reading, node, "'angle'");
-    constexpr double full = 2 * std::numbers::pi;
-    if (!angle || (*angle != 0 && std::abs(*angle) < full)) return angle;
+    if (!angle || (*angle != 0 && std::abs(*angle) <= full_turn)) return angle;
     reading.diagnostics.error(node.place,
-                              "'angle' must not be zero, and be less than a full turn either way",
+                              "'angle' must not be zero, and at most a full turn either way",
                               "angles are in radians: a full turn is 2 * pi");
     return std::nullopt;
 }
 
 std::optional<Map> read_rotation(Reading& reading, const YamlNode& node) {
     if (!expect_mapping(reading, node, "'rotate'", "rotation")) return std::nullopt;
-    const YamlNode* given_axis = find(reading, node, "axis");
-    const YamlNode* given_center = find(reading, node, "center");
-    const YamlNode* given_angle = require(reading, node, "angle", "'rotate'");
-    const auto axis = given_axis == nullptr ? Vec3{0, 0, 1} : read_axis(reading, *given_axis);
-    const auto center =
-        given_center == nullptr ? Vec3{} : read_point(reading, *given_center, "'center'");
-    const auto angle = given_angle == nullptr ? std::nullopt : read_angle(reading, *given_angle);
-    if (!axis || !center || !angle) return std::nullopt;
-    return RotationEntry{*axis, *center, *angle};
+    const auto turn = read_turn(reading, node, "'rotate'");
+    if (!turn) return std::nullopt;
+    if (std::abs(turn->angle) < full_turn) return *turn;
+    reading.diagnostics.error(find(reading, node, "angle")->place,
+                              "a full turn leads from a side to itself",
+                              "sides at the same place are joined by naming one edge or face "
+                              "twice");
+    return std::nullopt;
 }
 
 std::optional<Map> read_translation(Reading& reading, const YamlNode& node) {
@@ -99,6 +100,19 @@ std::optional<PeriodicEntry> read_entry(Reading& reading, const YamlNode& node) 
 }
 
 }  // namespace
+
+std::optional<RotationEntry> read_turn(Reading& reading, const YamlNode& node,
+                                       const std::string& what) {
+    const YamlNode* given_axis = find(reading, node, "axis");
+    const YamlNode* given_center = find(reading, node, "center");
+    const YamlNode* given_angle = require(reading, node, "angle", what);
+    const auto axis = given_axis == nullptr ? Vec3{0, 0, 1} : read_axis(reading, *given_axis);
+    const auto center =
+        given_center == nullptr ? Vec3{} : read_point(reading, *given_center, "'center'");
+    const auto angle = given_angle == nullptr ? std::nullopt : read_angle(reading, *given_angle);
+    if (!axis || !center || !angle) return std::nullopt;
+    return RotationEntry{*axis, *center, *angle};
+}
 
 std::vector<PeriodicEntry> read_periodic(Reading& reading, const YamlNode& section) {
     std::vector<PeriodicEntry> entries;

@@ -14,6 +14,7 @@
 #include "topology/periodic.h"
 #include "topology/spacing_propagation.h"
 #include "topology/surface_faces.h"
+#include "topology/sweep.h"
 
 namespace hexweave {
 
@@ -47,9 +48,12 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     const ParallelEdges parallels = parallel_edges(network.topology);
     resolve_counts(network, parallels, {c.multiple_of}, diagnostics);
     resolve_spacing(network, parallels, diagnostics);
+    place_sweep(network, c, diagnostics);
     resolve_boundaries(network, c, diagnostics);
     resolve_planes(network, c, diagnostics);
     settle_images(network, diagnostics);
+    resolve_sweep_ends(network, c, diagnostics);
+    resolve_mirror(network, c, diagnostics);
     if (!diagnostics.has_errors() && check_zone_sizes(network.topology, diagnostics)) {
         check_memory(network.topology, threads(), available_memory(), diagnostics);
     }

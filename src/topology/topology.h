@@ -80,6 +80,7 @@ struct Edge {
     std::vector<AxisPlane> planes;  ///< that it lies on: its points are exactly there
     bool made = false;              ///< not drawn by the user: a straight edge between two corners
     bool pole = false;              ///< collapsed to one vertex: no length, all its points there
+    bool on_axis = false;           ///< of the revolution of the grid, which collapses it
     std::optional<ImageOf> image;   ///< where its points are those of another edge, carried over
 };
 
@@ -194,6 +195,28 @@ struct PeriodicInterface {
     std::vector<PeriodicPair> pairs;
 };
 
+/// How a planar grid is swept into space: layer by layer along a vector or about an axis.
+struct Sweep {
+    Periodicity whole;  ///< what carries the first plane, z = 0, onto the last
+    int cells = 1;
+    SpacingLaw law;
+    double length = 1;      ///< that the law is for
+    bool reversed = false;  ///< k runs from the last plane to the first, for right-handed blocks
+    std::array<std::string, 2> ends;  ///< boundaries of the first and the last plane
+    bool joined = false;              ///< the two ends are, and have no boundary
+    bool full_turn = false;           ///< they are the same plane
+};
+
+/// What the names of zones and families of mirror images end in.
+inline constexpr const char* mirror_suffix = "_mirror";
+
+/// The mirror image that the whole grid is to have beside it.
+struct MirrorCopy {
+    AxisPlane plane;
+    int boundary = 0;  ///< whose sides lie on the plane: they become interfaces
+    bool families_apart = false;
+};
+
 /// The cells of an edge, and of those parallel to it, where they are others than the file says: for
 /// a level, for a multiple, or for the sums over the sides of a face.
 struct AdjustedCount {
@@ -214,6 +237,8 @@ struct Topology {
     std::vector<Block> blocks;
     std::vector<Boundary> boundaries;  ///< covers every free side; `unassigned` added where needed
     std::vector<PeriodicInterface> periodic;
+    std::optional<Sweep> sweep;
+    std::optional<MirrorCopy> mirror;
     std::vector<AdjustedCount> adjusted_counts;
     std::vector<PutOnSurface> put_on_surface;
     std::vector<Gate> gates;          ///< on the whole grid
@@ -223,14 +248,18 @@ struct Topology {
     double size = 1;
 
     bool is_3d() const { return !blocks.empty(); }
+    /// Of the zone that a face makes: as thick as its sweep.
+    Extent zone_extent(const Face& face) const {
+        return {face.cells_i + 1, face.cells_j + 1, sweep ? sweep->cells + 1 : 1};
+    }
     std::size_t cells() const {
         std::size_t sum = 0;
         if (is_3d()) {
             for (const Block& b : blocks) sum += b.extent.cells();
         } else {
-            for (const Face& f : faces) sum += f.extent().cells();
+            for (const Face& f : faces) sum += zone_extent(f).cells();
         }
-        return sum;
+        return mirror ? 2 * sum : sum;
     }
 };
 

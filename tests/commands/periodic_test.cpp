@@ -89,3 +89,34 @@ TEST_CASE("quality reads a periodic grid and finds its sides to be images") {
     for (const auto& interface : json["interfaces"]) CHECK(interface["mismatched"] == 0);
     CHECK(json["interfaces"].size() == 3);
 }
+
+TEST_CASE("a quarter of a nozzle is revolved between exact symmetry planes") {
+    const Scratch scratch;
+    const MultiblockGrid grid = checked_grid(scratch, "revolved_channel");
+    REQUIRE(grid.zones.size() == 1);
+    const PointField& x = grid.zones[0].points;
+    CHECK(x.extent() == Extent{17, 13, 9});
+    for (int i = 0; i < 17; ++i) {
+        for (int j = 0; j < 13; ++j) {
+            CHECK(x(i, j, 0).z == 0);
+            CHECK(x(i, j, 8).y == 0);
+        }
+        for (int k = 0; k < 9; ++k) CHECK((x(i, 0, k).y == 0 && x(i, 0, k).z == 0));
+    }
+    CHECK(grid.families.back().type == "BCDegenerateLine");
+}
+
+TEST_CASE("a bump is mirrored at its crest and extruded") {
+    const Scratch scratch;
+    const MultiblockGrid grid = checked_grid(scratch, "extruded_bump");
+    REQUIRE(grid.zones.size() == 2);
+    CHECK(grid.zones[1].name == "front_mirror");
+    CHECK(grid.interfaces.size() == 1);
+    CHECK(not_images(grid, grid.interfaces[0], PeriodicMap{}) == 0);
+    const PointField& x = grid.zones[0].points;
+    for (int j = 0; j < 11; ++j) CHECK(x(20, j, 1).x == 0);
+    CHECK(x(3, 4, 1).z == 0.1);
+    CHECK_THAT(scratch.hexweave("check " + good_case("extruded_bump")).out,
+               Contains("swept by a translation [0, 0, 0.1], 1 cell, from slices to slices\n"
+                        "mirrored at crest, x = 0: every zone twice\n"));
+}
