@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
     hexweave::add_compare(app, chosen);
     hexweave::add_quality(app, chosen);
     hexweave::add_report(app, chosen);
+    hexweave::add_init(app, chosen);
     hexweave::add_graph(app, chosen);
     hexweave::add_docs(app, chosen);
     hexweave::add_schema(app, chosen);

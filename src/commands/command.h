@@ -22,6 +22,7 @@ void add_quality(CLI::App& app, ChosenCommand& chosen);
 void add_report(CLI::App& app, ChosenCommand& chosen);
 void add_docs(CLI::App& app, ChosenCommand& chosen);
 void add_graph(CLI::App& app, ChosenCommand& chosen);
+void add_init(CLI::App& app, ChosenCommand& chosen);
 void add_schema(CLI::App& app, ChosenCommand& chosen);
 
 }  // namespace hexweave
