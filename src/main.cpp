@@ -6,6 +6,7 @@
 #include <new>
 
 #include "commands/command.h"
+#include "commands/command_suggestion.h"
 #include "core/errors.h"
 #include "io/cgns.h"
 #include "io/output_files.h"
@@ -48,6 +49,10 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         const bool asked_for_text = e.get_exit_code() == 0;
+        const std::string meant = hexweave::suggestion_for(app, {argv + 1, argv + argc});
+        if (!asked_for_text && !meant.empty()) {
+            return failed(ExitCode::wrong_input, meant.c_str());
+        }
         app.exit(e);
         return static_cast<int>(asked_for_text ? ExitCode::done : ExitCode::wrong_input);
     }

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "commands/command.h"
+#include "core/diagnostics.h"
 #include "io/grid_file.h"
 #include "io/output_files.h"
 
@@ -66,7 +67,9 @@ Vec3 read_view(const std::string& text) {
     if (text == "side") return {1, 0, 0};
     if (text == "iso") return isometric_view;
     if (const auto direction = read_direction(text)) return *direction;
-    throw UsageError("--view " + text + ": a view is top, front, side, iso or X,Y,Z");
+    const std::string meant = nearest_name(text, {"top", "front", "side", "iso"});
+    throw UsageError("--view " + text + ": a view is top, front, side, iso or X,Y,Z" +
+                     (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
 }
 
 }  // namespace

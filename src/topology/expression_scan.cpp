@@ -155,7 +155,10 @@ private:
     }
 
     ExpressionFault operator_missing(const std::string& written, std::size_t length) const {
-        return {fmt::format("an operator is missing before '{}'", written), {}, at_, length};
+        return {fmt::format("an operator is missing before '{}'", written),
+                "write '*' to multiply; a number has no unit of its own: that of all lengths is "
+                "said once, by 'units'",
+                at_, length};
     }
 
     std::optional<ExpressionFault> name() {
@@ -233,6 +236,9 @@ private:
                                      fmt::join(variables_, "' and '"));
         } else if (!known.empty() && known.size() <= 20) {
             fault.hint = fmt::format("known parameters are {}", fmt::join(known, ", "));
+        } else if (known.empty()) {
+            fault.hint =
+                fmt::format("write a number, or define it: 'parameters: {{{}: VALUE}}'", name);
         }
         return fault;
     }

@@ -68,6 +68,12 @@ std::string NameTable::hint_for(const std::string& unknown) const {
     for (const auto& entry : index_) known.push_back(entry.first);
     const std::string nearest = nearest_name(unknown, known);
     if (!nearest.empty()) return fmt::format("did you mean {}?", quoted(nearest));
+    if (unknown.find('-') != std::string::npos) {
+        return fmt::format(
+            "a name of corners is made only where a face or block given by its 'corners' needs "
+            "it; else draw it under '{}s'",
+            kind_);
+    }
     constexpr std::size_t few = 8;
     if (known.empty() || known.size() > few) return {};
     return fmt::format("known: {}", listed(known, few));

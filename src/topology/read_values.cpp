@@ -32,13 +32,17 @@ bool expect_scalar(Reading& reading, const YamlNode& node, const std::string& wh
     return false;
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 bool is_name(std::string_view text, std::string_view further) {
     const auto letter = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
     };
     return !text.empty() && letter(text.front()) &&
            std::all_of(text.begin(), text.end(), [&](char c) {
-               return letter(c) || (c >= '0' && c <= '9') || further.find(c) != std::string::npos;
+               return letter(c) || is_digit(c) || further.find(c) != std::string::npos;
            });
 }
 
@@ -53,11 +57,14 @@ bool is_yaml_switch(const std::string& text) {
 
 void tell_unknown_key(Reading& reading, const YamlNode& mapping, const YamlNode& child,
                       const std::string& what, const Keys& keys) {
+    const bool decimals = child.is_null() && !child.key.empty() && is_digit(child.key.front());
     const std::string meant = nearest_name(child.key, {keys.begin(), keys.end()});
     if (!meant.empty()) reading.misspelled.push_back({&mapping, &child, meant});
     reading.diagnostics.error(child.key_place,
                               fmt::format("unknown key '{}' in {}", shown(child.key), what),
-                              suggestion(child.key, keys, "keys here are"));
+                              decimals ? "a comma separates entries; the decimal separator is "
+                                         "the point"
+                                       : suggestion(child.key, keys, "keys here are"));
 }
 
 }  // namespace

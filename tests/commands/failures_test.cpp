@@ -72,6 +72,30 @@ TEST_CASE("every bad case is refused with the text that stands beside it") {
     CHECK(cases >= 25);
 }
 
+// These are read without a fault; the whole of what `check` prints stands beside each.
+TEST_CASE("every case whose parts do not fit together is refused with the text beside it") {
+    int cases = 0;
+    const fs::path folder = HEXWEAVE_SOURCE_DIR "/tests/cases/bad/topology";
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".yaml") continue;
+        ++cases;
+        const Scratch scratch;
+        fs::copy(entry.path(), scratch.path());
+        const std::string name = entry.path().filename().string();
+        fs::path expected = entry.path();
+        expected.replace_extension(".txt");
+        scratch.write("out.cgns", "what was there before");
+        const Finished check = scratch.hexweave("check " + name);
+        INFO(name);
+        CHECK(check.exit_code == 2);
+        CHECK(check.err == slurp(expected));
+        CHECK(check.out.empty());
+        CHECK(scratch.hexweave("run " + name + " -o out.cgns").exit_code == 2);
+        CHECK(scratch.read("out.cgns") == "what was there before");
+    }
+    CHECK(cases >= 15);
+}
+
 TEST_CASE("without Open CASCADE the entries that need it are named") {
     if (HEXWEAVE_HAS_CAD) return;
     const Scratch scratch;
@@ -180,6 +204,30 @@ TEST_CASE("the command line is checked") {
     CHECK(scratch.hexweave("--help").exit_code == 0);
     CHECK(contains(scratch.hexweave("--help").out, "Exit codes"));
     CHECK(contains(scratch.hexweave("--version").out, "hexweave 0."));
+}
+
+TEST_CASE("a command or an option that is misspelled is told with the one that was meant") {
+    const Scratch scratch;
+    scratch.write("tiny.yaml", tiny);
+    const auto told = [&](const std::string& arguments, const std::string& message) {
+        const Finished run = scratch.hexweave(arguments);
+        INFO(arguments);
+        CHECK(run.exit_code == 2);
+        CHECK(run.err == "hexweave: error: " + message + "\n");
+    };
+    told("rnu tiny.yaml", "hexweave has no command 'rnu'; did you mean 'run'?");
+    told("chekc", "hexweave has no command 'chekc'; did you mean 'check'?");
+    told("run tiny.yaml --thraeds 2",
+         "hexweave run has no option '--thraeds'; did you mean '--threads'?");
+    told("check tiny.yaml --expalin=a",
+         "hexweave check has no option '--expalin'; did you mean '--explain'?");
+    told("--verison", "hexweave has no option '--verison'; did you mean '--version'?");
+    told("plot tiny.yaml -o a.png --view fornt",
+         "--view fornt: a view is top, front, side, iso or X,Y,Z; did you mean 'front'?");
+    CHECK(scratch.hexweave("fly").exit_code == 2);  // nothing is near: the command line's own words
+    CHECK(
+        contains(scratch.hexweave("run tiny.yaml --set cout=3").err, "the file has no parameters"));
+    CHECK(scratch.listing() == "tiny.yaml");
 }
 
 TEST_CASE("check explains the names that it is asked about") {
