@@ -7,6 +7,7 @@
 #include "blocks/block_boundary.h"
 #include "blocks/flat_edges.h"
 #include "blocks/transfinite_block.h"
+#include "core/every_nth.h"
 #include "core/largest_first.h"
 #include "elliptic/elliptic_solver.h"
 #include "elliptic/fold_count.h"
@@ -57,6 +58,11 @@ std::vector<BlockGrid> make_blocks(const Topology& topology, const std::vector<F
         grids[index] = make_block(topology.blocks[index], faces, functions[index]);
     });
     return grids;
+}
+
+BlockGrid every_nth(const BlockGrid& grid, int stride) {
+    return {every_nth(grid.points, stride), grid.solve,
+            every_nth(grid.points, grid.heights, stride), grid.flat_edges};
 }
 
 }  // namespace hexweave

@@ -27,4 +27,7 @@ struct BlockGrid {
 std::vector<BlockGrid> make_blocks(const Topology& topology, const std::vector<FaceGrid>& faces,
                                    const std::function<void()>& done = {});
 
+/// Every `stride`-th point along each axis, to the bit, as of a face.
+BlockGrid every_nth(const BlockGrid& grid, int stride);
+
 }  // namespace hexweave

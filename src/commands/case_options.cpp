@@ -90,7 +90,9 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
     command.add_option("--set", options.set, "give a parameter another value; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME=EXPR");
-    command.add_option("--level", options.level, "grid level (comes with a later version)")
+    command
+        .add_option("--level", options.level,
+                    "which grid of the family that the config describes, or all of them")
         ->type_name("LEVEL");
     command
         .add_option("--json", options.json, "write the outcome as JSON to this file; - prints it")
@@ -151,9 +153,6 @@ ExitCode run_case_command(const char* command, const CaseOptions& options,
     outcome.config = options.config;
     ExitCode code = guarded(
         [&] {
-            if (!options.level.empty()) {
-                throw UsageError("--level: grid levels come with a later version; remove it");
-            }
             try {
                 return body(outcome);
             } catch (const InputError& e) {

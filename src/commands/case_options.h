@@ -19,7 +19,7 @@ namespace hexweave {
 struct CaseOptions {
     std::string config;            ///< "-" reads standard input
     std::vector<std::string> set;  ///< NAME=EXPR
-    std::string level;             ///< of a nested family: refused until there are levels
+    std::string level;             ///< of a family of grids, or "all"; empty: what the config says
     std::string json;              ///< "-" writes standard output; empty: none
     int threads = 0;               ///< 0: OMP_NUM_THREADS or all
     bool strict = false;

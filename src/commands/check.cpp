@@ -8,6 +8,7 @@
 
 #include "commands/case_options.h"
 #include "commands/command.h"
+#include "commands/level_grids.h"
 #include "io/topology_text.h"
 #include "topology/explain.h"
 #include "topology/read_case.h"
@@ -40,13 +41,18 @@ std::string explanations(const Case& written, const Topology& topology,
 ExitCode check(const CheckOptions& options, Outcome& outcome) {
     const Case written =
         read_case(read_source(options.config), parse_overrides(options.set), outcome.diagnostics);
-    const Topology topology = resolve(written, outcome.diagnostics);
+    const auto grids = resolve_levels(written, options.level, outcome.diagnostics);
     settle_warnings(outcome.diagnostics, options);
-    outcome.parameters = topology.parameters;
-    outcome.grids.push_back(planned_grid(topology));
-    const std::string text = options.explain.empty()
-                                 ? to_text(topology)
-                                 : explanations(written, topology, options.explain);
+    outcome.parameters = grids.front().solved.parameters;
+    std::string text;
+    for (const LevelGrids& part : grids) {
+        for (const Topology& topology : part.topologies()) {
+            outcome.grids.push_back(planned_grid(topology, part.solved));
+            if (!text.empty()) text += "\n";
+            text += options.explain.empty() ? to_text(topology, part.solved)
+                                            : explanations(written, topology, options.explain);
+        }
+    }
     std::FILE* out = options.json == "-" ? stderr : stdout;
     if (!options.quiet) fmt::print(out, "{}", text);
     return ExitCode::done;

@@ -7,12 +7,14 @@
 #include <list>
 
 #include "commands/compare.h"
+#include "commands/level_grids.h"
 #include "commands/progress.h"
 #include "generate.h"
 #include "io/cgns.h"
 #include "io/comparison_text.h"
 #include "io/output_files.h"
 #include "io/report_text.h"
+#include "topology/levels.h"
 
 namespace hexweave {
 namespace {
@@ -33,6 +35,9 @@ public:
         if (!fs::is_directory(folder)) {
             throw UsageError(fmt::format("--golden: no such folder '{}'", folder));
         }
+        if (options.level == every_level) {
+            throw UsageError("--golden keeps one grid of a config: name its level");
+        }
     }
 
     /// Makes one grid and compares it with the golden one.
@@ -40,11 +45,12 @@ public:
         if (config == "-") {
             throw UsageError("--golden: a golden grid is named after its config's file");
         }
-        Diagnostics diagnostics;
-        const Topology topology =
-            read_topology(read_source(config), parse_overrides(options_.set), diagnostics);
-        settle_warnings(diagnostics, options_);
-        const fs::path path = folder_ / (fs::path(config).stem().string() + ".cgns");
+        CaseOptions options = options_;
+        options.config = config;
+        Outcome own;
+        const Topology topology = std::move(read_grids(options, own).front().solved);
+        const std::string level = options.level.empty() ? "" : "." + options.level;
+        const fs::path path = folder_ / (fs::path(config).stem().string() + level + ".cgns");
         OutputFiles files;
         const fs::path staged = files.stage(path);
         const Generated made = generate(topology, make_progress(options_.quiet));

@@ -2,8 +2,10 @@
 // hexweave run CONFIG: the main job.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,13 +13,16 @@
 #include "commands/case_options.h"
 #include "commands/command.h"
 #include "commands/golden.h"
+#include "commands/level_grids.h"
 #include "commands/progress.h"
 #include "generate.h"
 #include "io/grid_file.h"
+#include "io/level_text.h"
 #include "io/offender_files.h"
 #include "io/output_files.h"
 #include "io/report_text.h"
 #include "io/topology_text.h"
+#include "topology/levels.h"
 
 namespace hexweave {
 namespace {
@@ -48,44 +53,102 @@ std::vector<GridOutput> outputs_of(const RunOptions& options, const Topology& to
     return outputs;
 }
 
-ExitCode run(const RunOptions& options, Outcome& outcome) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto source = read_source(options.input.config);
-    const std::vector<Override> overrides = parse_overrides(options.input.set);
-    const Topology topology = read_topology(source, overrides, outcome.diagnostics);
-    outcome.parameters = topology.parameters;
-    settle_warnings(outcome.diagnostics, options.input);
-    outcome.grids.push_back(planned_grid(topology));
-
-    // The output is staged before the work: a folder that cannot be written is told at once.
-    OutputFiles files;
+/// One grid that is to be made: its topology, and where it goes; then what came of it.
+struct PlannedOutput {
+    Topology topology;
     std::vector<ReservedOutput> reserved;
-    for (const GridOutput& output : outputs_of(options, topology)) {
-        reserved.push_back(reserve(output, files));
-    }
-    const Generated made = generate(topology, make_progress(options.input.quiet));
-    outcome.report = made.report;
-    for (const ReservedOutput& output : reserved) write_grid(made.grid, output, files);
-    std::vector<OffenderFile> offenders =
-        write_offenders(made.offenders, made.grid.units, reserved.front().output.path, files);
-    files.commit();
-    for (const ReservedOutput& output : reserved) outcome.outputs.push_back(output.output.path);
-    outcome.offenders = std::move(offenders);
-    const std::string written = fmt::format("{}", fmt::join(outcome.outputs, ", "));
-    const std::string where_to_look = offender_lines(outcome.offenders);
+    Report report{};
+    std::vector<OffenderFile> offenders{};
+};
 
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+/// Reserves the files of every level, before the work: a folder that cannot be written is told at
+/// once. A level named on the command line is told in the names of files that are not.
+std::vector<PlannedOutput> reserve_outputs(const RunOptions& options, const LevelGrids& grids,
+                                           OutputFiles& files) {
+    const std::string& asked = options.input.level;
+    const bool name_levels = asked == every_level || (!asked.empty() && options.outputs.empty());
+    std::vector<PlannedOutput> planned;
+    for (Topology& topology : grids.topologies()) {
+        PlannedOutput& own = planned.emplace_back();
+        for (const GridOutput& output : outputs_of(options, topology)) {
+            const auto& family = topology.family;
+            own.reserved.push_back(reserve(
+                name_levels ? output_of_level(output, family->names[family->level]) : output,
+                files));
+        }
+        own.topology = std::move(topology);
+    }
+    return planned;
+}
+
+/// Solves once, and writes each level of it to its reserved places.
+void make_levels(const LevelGrids& grids, const Progress& progress, OutputFiles& files,
+                 std::vector<PlannedOutput>& planned) {
+    const Solved solved = solve(grids.solved, progress);
+    for (std::size_t n = 0; n < planned.size(); ++n) {
+        PlannedOutput& own = planned[n];
+        Generated made = grids.levels.empty() ? finish(grids.solved, solved)
+                                              : finish(grids.solved, solved, grids.levels[n]);
+        for (const ReservedOutput& output : own.reserved) write_grid(made.grid, output, files);
+        own.offenders = write_offenders(made.offenders, made.grid.units,
+                                        own.reserved.front().output.path, files);
+        own.report = std::move(made.report);
+    }
+}
+
+void print(const RunOptions& options, const PlannedOutput& made) {
+    const std::string where_to_look = offender_lines(made.offenders);
     // With the JSON on standard output nothing else may stand there.
     std::FILE* out = options.input.json == "-" ? stderr : stdout;
     if (!options.input.quiet) {
-        fmt::print(out, "{}{}\n", adjusted_counts_text(topology),
-                   to_text(made.report, options.input.verbose));
-        fmt::print(out, "{}\n{}", verdict(made.report), where_to_look);
-        fmt::print(out, "wrote {} in {:.2f} s\n", written, taken.count());
+        fmt::print(out, "{}{}\n{}\n{}", adjusted_counts_text(made.topology),
+                   to_text(made.report, options.input.verbose), verdict(made.report),
+                   where_to_look);
     } else if (!made.report.sound()) {
-        fmt::print(stderr, "{}: {}\n{}", written, verdict(made.report), where_to_look);
+        std::vector<std::string> paths;
+        for (const ReservedOutput& output : made.reserved) paths.push_back(output.output.path);
+        fmt::print(stderr, "{}: {}\n{}", fmt::join(paths, ", "), verdict(made.report),
+                   where_to_look);
     }
-    return made.report.sound() ? ExitCode::done : ExitCode::not_sound;
+}
+
+/// What was made, as programs read it.
+void note(const std::vector<PlannedOutput>& made, Outcome& outcome) {
+    for (const PlannedOutput& grid : made) {
+        for (const auto& output : grid.reserved) outcome.outputs.push_back(output.output.path);
+        outcome.offenders.insert(outcome.offenders.end(), grid.offenders.begin(),
+                                 grid.offenders.end());
+        outcome.report = grid.report;
+        if (made.size() > 1) outcome.levels.push_back(grid.report);
+    }
+}
+
+ExitCode run(const RunOptions& options, Outcome& outcome) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<LevelGrids> grids = read_grids(options.input, outcome);
+    OutputFiles files;
+    std::vector<std::vector<PlannedOutput>> planned;
+    for (const LevelGrids& part : grids) {
+        planned.push_back(reserve_outputs(options, part, files));
+    }
+    std::vector<PlannedOutput> made;
+    for (std::size_t n = 0; n < grids.size(); ++n) {
+        make_levels(grids[n], make_progress(options.input.quiet), files, planned[n]);
+        std::move(planned[n].begin(), planned[n].end(), std::back_inserter(made));
+    }
+    files.commit();
+    note(made, outcome);
+
+    for (const PlannedOutput& grid : made) print(options, grid);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    if (!options.input.quiet) {
+        std::FILE* out = options.input.json == "-" ? stderr : stdout;
+        if (made.size() > 1) fmt::print(out, "\n{}\n", family_table(outcome.levels));
+        fmt::print(out, "wrote {} in {:.2f} s\n", fmt::join(outcome.outputs, ", "), taken.count());
+    }
+    const bool sound = std::all_of(made.begin(), made.end(),
+                                   [](const PlannedOutput& grid) { return grid.report.sound(); });
+    return sound ? ExitCode::done : ExitCode::not_sound;
 }
 
 ExitCode run_or_update(const RunOptions& options, Outcome& outcome) {

@@ -70,6 +70,8 @@ void place_points(const Topology& topology, const Edge& edge, const ArcLengthTab
     }
     grid.parameters.front() = edge.from;
     grid.parameters.back() = edge.to;
+    const auto law_cell = static_cast<std::size_t>(edge.refinement);
+    grid.law_cells = {grid.parameters[law_cell], grid.parameters[count - 1 - law_cell]};
     grid.points.front() = topology.vertices[static_cast<std::size_t>(edge.start)].position;
     grid.points.back() = topology.vertices[static_cast<std::size_t>(edge.end)].position;
 }
@@ -148,6 +150,25 @@ double last_cell(const Edge& edge, const EdgeGrid& grid) {
     if (edge.pole) return 0;
     const std::size_t last = grid.parameters.size() - 1;
     return arc_length(*edge.curve, grid.parameters[last - 1], grid.parameters[last]);
+}
+
+double first_law_cell(const Edge& edge, const EdgeGrid& grid) {
+    return edge.pole ? 0 : arc_length(*edge.curve, grid.parameters.front(), grid.law_cells[0]);
+}
+
+double last_law_cell(const Edge& edge, const EdgeGrid& grid) {
+    return edge.pole ? 0 : arc_length(*edge.curve, grid.law_cells[1], grid.parameters.back());
+}
+
+EdgeGrid every_nth(const EdgeGrid& grid, int stride) {
+    EdgeGrid result;
+    result.law_cells = grid.law_cells;
+    for (std::size_t i = 0; i < grid.points.size(); i += static_cast<std::size_t>(stride)) {
+        result.points.push_back(grid.points[i]);
+        result.parameters.push_back(grid.parameters[i]);
+        result.fractions.push_back(grid.fractions[i]);
+    }
+    return result;
 }
 
 }  // namespace hexweave

@@ -2,6 +2,7 @@
 // Stage 3: points on edges.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/vec3.h"
@@ -14,6 +15,9 @@ struct EdgeGrid {
     std::vector<Vec3> points;
     std::vector<double> parameters;  ///< of the edge's curve
     std::vector<double> fractions;   ///< normalized arc length, 0 to 1
+    /// Parameters at which the law's own first cell ends and its last begins: in a nested family
+    /// those of the level `medium`.
+    std::array<double, 2> law_cells{};
 };
 
 /// One grid per edge of the topology, in its order. End points are the vertices to the bit; points
@@ -24,5 +28,13 @@ std::vector<EdgeGrid> make_edges(const Topology& topology);
 /// parameters of the grid, not taken from the law.
 double first_cell(const Edge& edge, const EdgeGrid& grid);
 double last_cell(const Edge& edge, const EdgeGrid& grid);
+
+/// The same of the law's own cells, which are what is asked for; those of the grid unless it is of
+/// another level than `medium` of a nested family.
+double first_law_cell(const Edge& edge, const EdgeGrid& grid);
+double last_law_cell(const Edge& edge, const EdgeGrid& grid);
+
+/// Every `stride`-th point.
+EdgeGrid every_nth(const EdgeGrid& grid, int stride);
 
 }  // namespace hexweave

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/every_nth.h"
 #include "core/largest_first.h"
 #include "elliptic/elliptic_solver.h"
 #include "elliptic/fold_count.h"
@@ -159,6 +160,11 @@ std::vector<FaceGrid> make_faces(const Topology& topology, const std::vector<Edg
         grids[index] = image_of_face(topology, face, of, edges);
     }
     return grids;
+}
+
+FaceGrid every_nth(const FaceGrid& grid, int stride) {
+    return {every_nth(grid.points, stride), grid.solve,
+            every_nth(grid.points, grid.heights, stride), grid.off_surface, grid.flat_corners};
 }
 
 }  // namespace hexweave

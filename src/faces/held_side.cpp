@@ -248,6 +248,13 @@ HeldSide every_nth(const PointField& points, const HeldSide& held, int stride) {
     return {held.side, held.fade, every_nth(asked, stride)};
 }
 
+std::vector<HeldSide> every_nth(const PointField& points, const std::vector<HeldSide>& held,
+                                int stride) {
+    std::vector<HeldSide> sides;
+    for (const HeldSide& side : held) sides.push_back(every_nth(points, side, stride));
+    return sides;
+}
+
 HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request) {
     const WallFrame wall(points.extent(), side);
     const WallLengths lengths(points, wall);

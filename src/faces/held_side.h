@@ -31,6 +31,8 @@ Field asked_heights(const PointField& points, Side side, const std::optional<dou
 /// node `held.first`; node `stride` is asked that times the ratio of the two heights on the lines
 /// that leave the corners, as their laws say, interpolated likewise.
 HeldSide every_nth(const PointField& points, const HeldSide& held, int stride);
+std::vector<HeldSide> every_nth(const PointField& points, const std::vector<HeldSide>& held,
+                                int stride);
 
 /// Moves interior points of a face or block along the grid lines that leave `side`. Boundary points
 /// stay: where the first cell on one of the neighbouring sides is not as asked, lines beside it

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/planned_grid.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/parallel.h"
 #include "topology/limits.h"
 
 namespace hexweave {
 
-PlannedGrid planned_grid(const Topology& topology) {
-    PlannedGrid planned{topology.cells(), 0, estimated_bytes(topology, threads()), threads(),
-                        topology.adjusted_counts};
+PlannedGrid planned_grid(const Topology& topology, const Topology& solved) {
+    PlannedGrid planned;
+    if (topology.family) planned.level = topology.family->names[topology.family->level];
+    planned.cells = topology.cells();
+    planned.memory = estimated_bytes(solved, threads());
+    planned.threads = threads();
+    std::copy_if(topology.adjusted_counts.begin(), topology.adjusted_counts.end(),
+                 std::back_inserter(planned.adjusted_counts),
+                 [](const AdjustedCount& count) { return count.raised(); });
     for (const Block& block : topology.blocks) planned.nodes += block.extent.nodes();
     if (topology.is_3d()) return planned;
     for (const Face& face : topology.faces) planned.nodes += face.extent().nodes();

@@ -101,7 +101,9 @@ Json spacing(const SpacingMeasure& s) {
             {"first_asked", json_of(s.asked_start)},
             {"first_got", json_of(s.got_start)},
             {"last_asked", json_of(s.asked_end)},
-            {"last_got", json_of(s.got_end)}};
+            {"last_got", json_of(s.got_end)},
+            {"first", json_of(s.first)},
+            {"last", json_of(s.last)}};
 }
 
 Json adjusted_count(const AdjustedCount& a) {
@@ -109,11 +111,18 @@ Json adjusted_count(const AdjustedCount& a) {
 }
 
 Json planned(const PlannedGrid& g) {
-    return {{"cells", g.cells},
-            {"nodes", g.nodes},
-            {"memory", json_of(g.memory)},
-            {"threads", g.threads},
-            {"adjusted_counts", json_list(g.adjusted_counts, adjusted_count)}};
+    return {
+        {"level", g.level},     {"cells", g.cells},
+        {"nodes", g.nodes},     {"memory", json_of(g.memory)},
+        {"threads", g.threads}, {"adjusted_counts", json_list(g.adjusted_counts, adjusted_count)}};
+}
+
+Json level(const LevelMeasure& l) {
+    return {{"name", l.name},
+            {"factor", json_of(l.factor)},
+            {"names", l.names},
+            {"solved", l.solved},
+            {"stride", l.stride}};
 }
 
 Json offender(const OffenderFile& o) {
@@ -126,6 +135,7 @@ Json parameter(const Parameter& p) {
 
 Json report_json(const Report& r) {
     return {{"title", r.title},
+            {"level", r.level ? level(*r.level) : Json(nullptr)},
             {"sound", r.sound()},
             {"cells", r.cells},
             {"nodes", r.nodes},
@@ -170,6 +180,7 @@ std::string to_json(const Outcome& outcome) {
               {"parameters", json_list(outcome.parameters, parameter)},
               {"grids", json_list(outcome.grids, planned)}};
     json["report"] = outcome.report ? report_json(*outcome.report) : Json(nullptr);
+    json["levels"] = json_list(outcome.levels, report_json);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -24,8 +24,9 @@ struct Outcome {
     Diagnostics diagnostics;
     std::string failure;                ///< what the machine failed at; empty when it did not
     std::vector<PlannedGrid> grids;     ///< that were resolved
+    std::optional<Report> report;       ///< of the finest, where several levels were made
+    std::vector<Report> levels{};       ///< of each, coarsest first, where several were made
     std::vector<Parameter> parameters;  ///< of the case, where it could be read
-    std::optional<Report> report;
 };
 
 /// Indented by two spaces, ends with a newline. Numbers that are not finite are null.

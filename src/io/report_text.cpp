@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "io/level_text.h"
+
 namespace hexweave {
 namespace {
 
@@ -44,17 +46,38 @@ double worst_spacing_error(const Report& report) {
     return worst;
 }
 
+/// Which grid of a family this is, and of which one the solves below are.
+std::string family_lines(const Report& report) {
+    if (!report.level) return {};
+    std::string text = level_line(*report.level);
+    if (report.level->stride > 1) {
+        text += fmt::format("cycles, displacements and folds of solves are those of level {}\n",
+                            report.level->solved);
+    }
+    return text;
+}
+
+/// Whether first and last cells are asked of another level than this grid's.
+bool asks_another_level(const Report& report) {
+    return std::any_of(report.spacings.begin(), report.spacings.end(),
+                       [](const SpacingMeasure& s) { return s.first != s.got_start; });
+}
+
 std::string spacing_table(const Report& report) {
+    const bool another = asks_another_level(report);
     std::size_t width = 4;
     for (const SpacingMeasure& s : report.spacings) width = std::max(width, s.edge.size());
     std::string text =
-        fmt::format("{:<{}}  {:>6} {:>12} | {:>12} {:>12} | {:>12} {:>12}\n", "edge", width,
-                    "cells", "length", "first asked", "got", "last asked", "got");
+        fmt::format("{:<{}}  {:>6} {:>12} | {:>12} {:>12} | {:>12} {:>12}{}\n", "edge", width,
+                    "cells", "length", "first asked", "got", "last asked", "got",
+                    another ? fmt::format(" | {:>12} {:>12}", "first here", "last here") : "");
     for (const SpacingMeasure& s : report.spacings) {
-        text += fmt::format("{:<{}}  {:>6} {:>12.6g} | {:>12} {:>12.6g} | {:>12} {:>12.6g}\n",
+        text += fmt::format("{:<{}}  {:>6} {:>12.6g} | {:>12} {:>12.6g} | {:>12} {:>12.6g}{}\n",
                             s.edge, width, s.cells, s.length, asked_text(s.asked_start),
-                            s.got_start, asked_text(s.asked_end), s.got_end);
+                            s.got_start, asked_text(s.asked_end), s.got_end,
+                            another ? fmt::format(" | {:>12.6g} {:>12.6g}", s.first, s.last) : "");
     }
+    if (another) text += "first and last cells are asked, and got, at level medium\n";
     const double worst = worst_spacing_error(report);
     if (worst >= 0) text += fmt::format("spacings asked are met to {:.1e} relative\n", worst);
     return text;
@@ -349,7 +372,7 @@ std::vector<std::string> faults(const Report& report) {
 }  // namespace
 
 std::string to_text(const Report& report, bool verbose) {
-    std::string text = spacing_table(report) + put_lines(report);
+    std::string text = family_lines(report) + spacing_table(report) + put_lines(report);
     text += "\n" + solve_table(report, verbose);
     text += "\n" + height_table(report) + zone_table(report);
     text +=

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/topology_text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "core/parallel.h"
+#include "io/level_text.h"
 #include "topology/limits.h"
 #include "topology/text.h"
 
@@ -66,20 +67,24 @@ std::string mirror_line(const Topology& topology) {
 }  // namespace
 
 std::string adjusted_counts_text(const Topology& topology) {
-    if (topology.adjusted_counts.empty()) return {};
-    std::string text = fmt::format("{:<26} {:>10} {:>10} {:>10}\n", "cells raised, of edge",
-                                   "written", "asked", "got");
+    std::string rows;
     for (const AdjustedCount& a : topology.adjusted_counts) {
-        text +=
+        if (!a.raised()) continue;
+        rows +=
             fmt::format("  {:<24} {:>10} {:>10.6g} {:>10}\n", a.edge, a.written, a.asked, a.got);
     }
-    return text;
+    if (rows.empty()) return {};
+    return fmt::format("{:<26} {:>10} {:>10} {:>10}\n", "cells raised, of edge", "written", "asked",
+                       "got") +
+           rows;
 }
 
-std::string to_text(const Topology& topology) {
-    std::string text = fmt::format("{} vertices, {} edges, {} faces, {} blocks; {} cells\n",
-                                   topology.vertices.size(), topology.edges.size(),
-                                   topology.faces.size(), topology.blocks.size(), topology.cells());
+std::string to_text(const Topology& topology, const Topology& solved) {
+    std::string text;
+    if (topology.family) text = level_line(level_measure(*solved.family, topology.family->level));
+    text += fmt::format("{} vertices, {} edges, {} faces, {} blocks; {} cells\n",
+                        topology.vertices.size(), topology.edges.size(), topology.faces.size(),
+                        topology.blocks.size(), topology.cells());
     text += "zones:\n";
     if (topology.is_3d()) {
         for (const Block& b : topology.blocks) text += zone_line(b.name, b.extent);
@@ -93,9 +98,9 @@ std::string to_text(const Topology& topology) {
     text += adjusted_counts_text(topology);
     if (topology.sweep) text += sweep_line(*topology.sweep);
     if (topology.mirror) text += mirror_line(topology);
-    text += fmt::format("memory: about {:.2g} GB on {} {}\n",
-                        estimated_bytes(topology, threads()) / 1e9, threads(),
-                        threads() == 1 ? "thread" : "threads");
+    text +=
+        fmt::format("memory: about {:.2g} GB on {} {}\n", estimated_bytes(solved, threads()) / 1e9,
+                    threads(), threads() == 1 ? "thread" : "threads");
     return text;
 }
 

@@ -8,10 +8,11 @@
 
 namespace hexweave {
 
-/// A line per edge whose cells are not as written; empty where there is none.
+/// A line per edge whose cells are more than asked for; empty where there is none.
 std::string adjusted_counts_text(const Topology& topology);
 
-/// Counts, a line per zone with its cells, a line per boundary, and the memory that a run needs.
-std::string to_text(const Topology& topology);
+/// Counts, a line per zone with its cells, a line per boundary, and the memory that a run needs,
+/// which holds `solved`: the topology itself, or that of the finest level of a nested family.
+std::string to_text(const Topology& topology, const Topology& solved);
 
 }  // namespace hexweave

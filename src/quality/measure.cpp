@@ -80,6 +80,8 @@ std::vector<SpacingMeasure> measure_spacings(const Topology& topology,
                    edge.length,
                    edge.asked_start,
                    edge.asked_end,
+                   first_law_cell(edge, edges[e]),
+                   last_law_cell(edge, edges[e]),
                    first_cell(edge, edges[e]),
                    last_cell(edge, edges[e])};
     });

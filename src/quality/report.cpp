@@ -6,6 +6,11 @@
 
 namespace hexweave {
 
+LevelMeasure level_measure(const GridFamily& solved, std::size_t level) {
+    return {solved.names[level], solved.factor, solved.names, solved.names[solved.level],
+            solved.stride(level)};
+}
+
 std::size_t Report::folded() const {
     return std::accumulate(zones.begin(), zones.end(), std::size_t{0},
                            [](std::size_t sum, const ZoneMeasure& z) { return sum + z.folded; });

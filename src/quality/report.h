@@ -16,10 +16,12 @@
 #include "quality/growth.h"
 #include "quality/walls.h"
 #include "topology/gate.h"
+#include "topology/topology.h"
 
 namespace hexweave {
 
-/// First and last cell of one edge, asked and got; arc length along the edge.
+/// First and last cell of one edge, asked and got; arc length along the edge. In a nested family
+/// those of the level `medium`, whichever the grid is of: the law is asked for them.
 struct SpacingMeasure {
     std::string edge;
     int cells = 0;
@@ -28,6 +30,8 @@ struct SpacingMeasure {
     std::optional<double> asked_end;
     double got_start = 0;
     double got_end = 0;
+    double first = 0;  ///< of this grid
+    double last = 0;
 };
 
 /// First heights held at one side of a face or block, over those asked; at all of its nodes.
@@ -105,6 +109,18 @@ struct GateResult {
     Place asked_at;
 };
 
+/// Which grid of a family was made.
+struct LevelMeasure {
+    std::string name;
+    double factor = 2;
+    std::vector<std::string> names;  ///< of the family, coarsest first
+    std::string solved;              ///< the level that was solved
+    int stride = 1;                  ///< of its points every so many-th is in this grid
+};
+
+/// A level of a family, of that of which the level that is solved.
+LevelMeasure level_measure(const GridFamily& solved, std::size_t level);
+
 struct StageTime {
     std::string stage;
     double seconds = 0;
@@ -112,6 +128,7 @@ struct StageTime {
 
 struct Report {
     std::string title;
+    std::optional<LevelMeasure> level;  ///< where the case is of a family
     std::size_t cells = 0;
     std::size_t nodes = 0;
     std::vector<ZoneMeasure> zones;

@@ -260,7 +260,7 @@ struct Case {
     SolverEntry solver;
     std::vector<Gate> gates;
     LevelsEntry levels;
-    Name level;                               ///< that is to be made; empty where not said
+    Name level;                               ///< to be made; empty: medium, if there are levels
     std::optional<Located<int>> multiple_of;  ///< that the cells of every edge are raised to
     std::vector<GridOutput> outputs;
     std::string provenance;  ///< version, hash of the config, overrides

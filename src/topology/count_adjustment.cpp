@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "topology/counting.h"
 #include "topology/face_frame.h"
@@ -32,14 +32,35 @@ std::vector<int> spokesmen(const Counting& counting) {
     return edges;
 }
 
+/// What the counts in the file are multiplied with, and of what they are then multiples, before
+/// they are refined: in a nested family, such that the coarsest level has what all are to have.
+struct Scale {
+    double factor = 1;
+    std::int64_t multiple = 1;
+    int refinement = 1;
+};
+
+Scale scale_of(const CountRules& rules) {
+    Scale scale;
+    if (rules.multiple_of) scale.multiple = rules.multiple_of->value;
+    if (!rules.family) return scale;
+    const GridFamily& family = *rules.family;
+    if (!family.nested()) {
+        scale.factor = family.times_medium(family.level);
+        return scale;
+    }
+    scale.multiple = common_multiple(scale.multiple * std::llround(1 / family.times_medium(0)), 1);
+    scale.refinement = static_cast<int>(std::lround(family.times_medium(family.level)));
+    return scale;
+}
+
 std::vector<WantedCount> wanted_counts(const Counting& counting, const std::vector<int>& spokesmen,
-                                       const CountRules& rules) {
+                                       const Scale& scale) {
     std::vector<WantedCount> wanted;
     for (std::size_t g = 0; g < spokesmen.size(); ++g) {
         const auto edge = static_cast<std::size_t>(spokesmen[g]);
-        wanted.push_back({static_cast<double>(counting.groups[g].cells),
-                          rules.multiple_of ? rules.multiple_of->value : 1,
-                          lists_points(counting.network.edge_entries[edge])});
+        wanted.push_back({static_cast<double>(counting.groups[g].cells) * scale.factor,
+                          scale.multiple, lists_points(counting.network.edge_entries[edge])});
     }
     for (std::size_t e = 0; e < counting.group_of.size(); ++e) {
         const EdgeEntry* entry = counting.network.edge_entries[e];
@@ -50,18 +71,28 @@ std::vector<WantedCount> wanted_counts(const Counting& counting, const std::vect
     return wanted;
 }
 
-/// Points that are listed cannot become more.
+/// Points that are listed cannot become more, nor others.
 void check_listed(const Counting& counting, const std::vector<WantedCount>& wanted,
-                  const std::vector<int>& spokesmen) {
+                  const std::vector<int>& spokesmen, const Scale& scale) {
     for (std::size_t g = 0; g < wanted.size(); ++g) {
+        if (!wanted[g].fixed) continue;
         const std::int64_t cells = counting.groups[g].cells;
-        if (!wanted[g].fixed || cells % wanted[g].multiple == 0) continue;
         const auto edge = static_cast<std::size_t>(spokesmen[g]);
-        counting.diagnostics.error(
-            counting.network.edge_entries[edge]->spacing->place,
-            fmt::format("edge {} lists the points of {}, which is not a multiple of {}",
-                        counting.edge_name(spokesmen[g]), cells_text(cells), wanted[g].multiple),
-            "list as many as that takes, or give a formula in t, which fits any count");
+        const Place& place = counting.network.edge_entries[edge]->spacing->place;
+        if (scale.refinement > 1 || scale.factor != 1) {
+            counting.diagnostics.error(
+                place,
+                fmt::format("edge {} lists its points, which are those of the level 'medium' only",
+                            counting.edge_name(spokesmen[g])),
+                "give a formula in t, which fits any count");
+        } else if (cells % wanted[g].multiple != 0) {
+            counting.diagnostics.error(
+                place,
+                fmt::format("edge {} lists the points of {}, which is not a multiple of {}",
+                            counting.edge_name(spokesmen[g]), cells_text(cells),
+                            wanted[g].multiple),
+                "list as many as that takes, or give a formula in t, which fits any count");
+        }
     }
 }
 
@@ -81,18 +112,19 @@ std::vector<AdjustedCount> adjust_counts(Counting& counting,
                                          const std::vector<SumEquation>& equations,
                                          const CountRules& rules) {
     const std::vector<int> edges = spokesmen(counting);
-    const std::vector<WantedCount> wanted = wanted_counts(counting, edges, rules);
-    check_listed(counting, wanted, edges);
+    const Scale scale = scale_of(rules);
+    const std::vector<WantedCount> wanted = wanted_counts(counting, edges, scale);
+    check_listed(counting, wanted, edges, scale);
     const RaisedCounts raised = raise_counts(wanted, equations);
     if (raised.unequal) report_unbalanced(counting, equations[*raised.unequal]);
     std::vector<AdjustedCount> adjusted;
     for (std::size_t g = 0; g < wanted.size(); ++g) {
         GroupCount& count = counting.groups[g];
         const std::int64_t written = count.cells;
-        count.cells = raised.cells[g];
-        if (count.cells == written) continue;
+        count.cells = raised.cells[g] * scale.refinement;
+        if (count.cells == written && !rules.family) continue;
         adjusted.push_back({counting.network.edge(edges[g]).name, static_cast<int>(written),
-                            wanted[g].asked, static_cast<int>(count.cells)});
+                            wanted[g].asked * scale.refinement, static_cast<int>(count.cells)});
     }
     return adjusted;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cell counts: opposite sides of a face have equally many cells, so one mention fixes a whole chain
-// of edges. Counts are then raised as asked: to multiples.
+// of edges. Counts are then raised as asked: to those of a level, to multiples.
 #pragma once
 
 #include <optional>
@@ -14,6 +14,7 @@ namespace hexweave {
 /// What the counts are raised to, besides what single edges say.
 struct CountRules {
     std::optional<Located<int>> multiple_of;
+    std::optional<GridFamily> family;  ///< the counts are to be those of its level
 };
 
 /// Sets the cells of every edge, face and block. An edge whose count is unknown or in conflict (an

@@ -134,13 +134,22 @@ const AdjustedCount* adjustment(const Chains& chains, int index) {
     return nullptr;
 }
 
-/// Why a count is not as written: the multiples asked for, or, where none is, sums over sides.
+/// Why a count is not as written: the level, the multiples asked for, or sums over sides.
 void explain_raise(const Case& written, const Chains& chains, int index,
                    std::vector<ExplanationStep>& steps) {
     const AdjustedCount* adjusted = adjustment(chains, index);
     if (adjusted == nullptr) return;
-    steps.push_back({chains.edge(index).place,
-                     fmt::format("  raised from {} to {}", adjusted->written, adjusted->got)});
+    const Place& here = chains.edge(index).place;
+    if (adjusted->asked != adjusted->written) {
+        const GridFamily& family = *chains.topology.family;
+        steps.push_back(
+            {here, fmt::format("  at level {} {} times as many: {:.6g}",
+                               quoted(family.names[family.level]),
+                               number_text(family.times_medium(family.level)), adjusted->asked)});
+    }
+    if (!adjusted->raised()) return;
+    steps.push_back(
+        {here, fmt::format("  raised from {:.6g} to {}", adjusted->asked, adjusted->got)});
     const auto asked = [&](const std::optional<Located<int>>& multiple) {
         if (!multiple) return;
         steps.push_back({multiple->place,

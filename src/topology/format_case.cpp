@@ -86,6 +86,16 @@ MappingFormat the_case() {
           "",
           "sides that are images of others by translation or rotation",
           "periodic: {pitch: {from: lower, to: upper, translate: [0, 0.5]}}"},
+         {"levels",
+          {mapping("levels")},
+          "",
+          "the family of grids that the file describes",
+          "levels: {names: [coarse, medium, fine]}"},
+         {"level",
+          {text()},
+          "`medium` with `levels`, else the counts as written",
+          "which grid of the family is made; `--level NAME` comes before it",
+          "level: fine"},
          {"multiple_of",
           {count()},
           "1",
@@ -149,6 +159,23 @@ MappingFormat any_entry() {
               "always",
               "without which (0) the entry is not there; mostly a comparison",
               "when: 2 > 1"}}};
+}
+
+MappingFormat levels() {
+    return {"levels",
+            "A family of grids, the counts in the file being those of `medium`. At a whole factor "
+            "the finest is solved and the others are every 2nd, 4th, ... point of it; at any other "
+            "each is solved, its cells at walls scaled like its counts.",
+            {{"factor",
+              {number(Quantity::none, {.above = 1, .at_most = 4})},
+              "2",
+              "of the cells along an edge, from each level to the next",
+              "factor: 1.5"},
+             {"names",
+              {list({text()}, 2, 8)},
+              "[coarse, medium, fine]",
+              "of the levels, coarsest first; `medium` must be one",
+              "names: [coarse, medium, fine, extra_fine]"}}};
 }
 
 MappingFormat solver() {
@@ -255,7 +282,7 @@ MappingFormat boundary() {
 }  // namespace
 
 std::vector<MappingFormat> formats_of_case() {
-    return {the_case(), include(), any_entry(), solver(), gates(), boundary()};
+    return {the_case(), include(), any_entry(), levels(), solver(), gates(), boundary()};
 }
 
 }  // namespace hexweave

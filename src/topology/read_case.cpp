@@ -11,6 +11,7 @@
 #include "topology/includes.h"
 #include "topology/read_entries.h"
 #include "topology/read_gates.h"
+#include "topology/read_levels.h"
 #include "topology/read_output.h"
 #include "topology/read_parameters.h"
 #include "topology/read_periodic.h"
@@ -25,8 +26,7 @@ namespace {
 
 const std::vector<RefusedKey>& later_keys() {
     static const std::vector<RefusedKey> keys{
-        {"components", "components are not in this version yet", ""},
-        {"level", "grid levels are not in this version yet", "give the cell counts by parameters"}};
+        {"components", "components are not in this version yet", ""}};
     return keys;
 }
 
@@ -128,6 +128,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
     read_into(c.periodic, reading, *root, "periodic", read_periodic);
     read_sweep_and_mirror(reading, *root, c);
+    read_levels(reading, *root, c);
     c.multiple_of = read_multiple_of(reading, *root);
     read_solver(reading, *root, c.solver);
     c.outputs = read_output(reading, section_of(reading, *root, "output"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topology/resolve.h"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/memory.h"
@@ -9,6 +11,7 @@
 #include "topology/counts.h"
 #include "topology/draft.h"
 #include "topology/handedness.h"
+#include "topology/levels.h"
 #include "topology/limits.h"
 #include "topology/parallel_edges.h"
 #include "topology/periodic.h"
@@ -33,9 +36,17 @@ Network connect(const Case& c, Diagnostics& diagnostics) {
     return sound_part(draft);
 }
 
-}  // namespace
+/// In a nested family the laws and heights, which are those of `medium`, are continued.
+void refine(Topology& topology, const GridFamily& family) {
+    const int refinement = static_cast<int>(std::lround(family.times_medium(family.level)));
+    for (Edge& edge : topology.edges) edge.refinement = refinement;
+    for (Face& face : topology.faces) refine_heights(face.solve.heights, family);
+    for (Block& block : topology.blocks) refine_heights(block.solve.heights, family);
+}
 
-Topology resolve(const Case& c, Diagnostics& diagnostics) {
+/// Resolves a case whose sizes are those of the level to be solved.
+Topology resolve_scaled(const Case& c, const std::optional<GridFamily>& family,
+                        Diagnostics& diagnostics) {
     if (c.faces.empty() && c.blocks.empty() && !diagnostics.has_errors()) {
         diagnostics.error(Place{c.source, 0, 0}, "the file describes no grid",
                           "give it 'faces', or 'blocks'");
@@ -46,7 +57,8 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     pair_periodic_sides(network, c, diagnostics);
     make_images(network, diagnostics);
     const ParallelEdges parallels = parallel_edges(network.topology);
-    resolve_counts(network, parallels, {c.multiple_of}, diagnostics);
+    resolve_counts(network, parallels, {c.multiple_of, family}, diagnostics);
+    if (family && family->nested()) refine(network.topology, *family);
     resolve_spacing(network, parallels, diagnostics);
     place_sweep(network, c, diagnostics);
     resolve_boundaries(network, c, diagnostics);
@@ -67,7 +79,16 @@ Topology resolve(const Case& c, Diagnostics& diagnostics) {
     topology.parameters = c.parameters;
     topology.gates = c.gates;
     topology.outputs = c.outputs;
+    topology.family = family;
     return topology;
+}
+
+}  // namespace
+
+Topology resolve(const Case& c, Diagnostics& diagnostics) {
+    const std::optional<GridFamily> family = family_of(c);
+    if (!family || family->nested()) return resolve_scaled(c, family, diagnostics);
+    return resolve_scaled(scaled_to_level(c, *family), family, diagnostics);
 }
 
 }  // namespace hexweave

@@ -274,7 +274,7 @@ void set_own_law(Edge& edge, const EdgeEntry* entry) {
 void check_fit(const Edge& edge, const EdgeEntry* entry, Diagnostics& diagnostics) {
     if (entry == nullptr || !entry->spacing || edge.cells == 0) return;
     if (std::holds_alternative<SameAs>(edge.law)) return;
-    const std::string misfit = spacing_misfit(edge.law, edge.cells, edge.length);
+    const std::string misfit = spacing_misfit(edge.law, edge.cells / edge.refinement, edge.length);
     if (misfit.empty()) return;
     diagnostics.error(entry->spacing->place, fmt::format("the spacing of edge {} does not fit: {}",
                                                          quoted(edge.name), misfit));

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -224,6 +225,25 @@ struct AdjustedCount {
     int written = 0;   ///< as in the file
     double asked = 0;  ///< the same times the level's factor
     int got = 0;
+
+    /// More than the level asks for.
+    bool raised() const { return got > asked * (1 + 1e-9); }
+};
+
+/// The family of grids that a topology is one of.
+struct GridFamily {
+    double factor = 2;               ///< of the cells along an edge, from level to level
+    std::vector<std::string> names;  ///< coarsest first
+    std::size_t medium = 0;          ///< the level whose counts stand in the file
+    std::size_t wanted = 0;          ///< the one that was asked for
+    std::size_t level = 0;           ///< the one that the topology's counts are of
+
+    /// Whether the coarser levels are every n-th point of the finest.
+    bool nested() const;
+    /// The cells along an edge at a level, over those in the file.
+    double times_medium(std::size_t of) const;
+    /// Cells of the topology's level to each of a nested level that is not finer.
+    int stride(std::size_t to) const;
 };
 
 struct Topology {
@@ -239,7 +259,8 @@ struct Topology {
     std::vector<PeriodicInterface> periodic;
     std::optional<Sweep> sweep;
     std::optional<MirrorCopy> mirror;
-    std::vector<AdjustedCount> adjusted_counts;
+    std::vector<AdjustedCount> adjusted_counts;  ///< in a family, of every chain of edges
+    std::optional<GridFamily> family;
     std::vector<PutOnSurface> put_on_surface;
     std::vector<Gate> gates;          ///< on the whole grid
     std::vector<GridOutput> outputs;  ///< as the file names them

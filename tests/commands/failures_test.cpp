@@ -198,8 +198,9 @@ TEST_CASE("the command line is checked") {
     CHECK(scratch.hexweave("run tiny.yaml --set cells").exit_code == 2);
     CHECK(scratch.hexweave("run tiny.yaml -o tiny.txt").exit_code == 2);
     CHECK(scratch.hexweave("run tiny.yaml -j 0").exit_code == 2);
-    CHECK(scratch.hexweave("run tiny.yaml --level fine").exit_code == 2);
-    CHECK(contains(scratch.hexweave("run tiny.yaml --level fine").err, "later version"));
+    CHECK(scratch.hexweave("run tiny.yaml --level fin").exit_code == 2);
+    CHECK(contains(scratch.hexweave("run tiny.yaml --level fin").err,
+                   "the levels are coarse, medium, fine, or all; did you mean 'fine'?"));
     CHECK(scratch.listing() == "tiny.yaml");
     CHECK(scratch.hexweave("--help").exit_code == 0);
     CHECK(contains(scratch.hexweave("--help").out, "Exit codes"));

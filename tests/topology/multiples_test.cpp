@@ -105,6 +105,19 @@ TEST_CASE("listed points that are no multiple are told") {
     CHECK(named(formula.edges, "west").cells == 4);
 }
 
+TEST_CASE("listed points are those of the level medium") {
+    const std::string list = "spacing: {positions: [0, 0.2, 0.4, 0.7, 1]}";
+    CHECK(faults(channel("level: fine", "cells: 4", "cells: 4", list)) ==
+          "7: error: edge 'west' lists its points, which are those of the level 'medium' only\n"
+          "  hint: give a formula in t, which fits any count\n");
+    CHECK(faults(channel("levels: {factor: 1.5}\nlevel: coarse", "cells: 6", "cells: 6", list))
+              .find("level 'medium' only") != std::string::npos);
+    // The finest being medium, nothing is to be continued.
+    const Topology t =
+        resolved(channel("levels: {names: [coarse, medium]}", "cells: 4", "cells: 6", list));
+    CHECK(named(t.edges, "west").cells == 4);
+}
+
 TEST_CASE("sides that no multiples make equal are told") {
     const std::string text = R"(
 vertices: {a: [0, 0], m: [1, 0], b: [3, 0], c: [3, 1], d: [0, 1]}
