@@ -9,18 +9,23 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <new>
 
 #include "core/parallel.h"
 #include "core/processors.h"
 #include "io/output_files.h"
+#include "topology/text_limit.h"
 
 namespace hexweave {
 namespace {
 
-std::string read_all(std::istream& stream) {
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+/// All of it, but of what is longer than a case may be no more than shows that it is.
+std::string read_text(std::istream& stream) {
+    std::string text(longest_text + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    text.shrink_to_fit();
+    return text;
 }
 
 void print_errors(const std::string& text) {
@@ -106,7 +111,7 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
 
 std::shared_ptr<const SourceFile> read_source(const std::string& config) {
     if (config == "-") {
-        return std::make_shared<SourceFile>(SourceFile{"<stdin>", read_all(std::cin)});
+        return std::make_shared<SourceFile>(SourceFile{"<stdin>", read_text(std::cin)});
     }
     const auto refuse = [&config](const char* reason) {
         throw UsageError("cannot read '" + config + "': " + reason);
@@ -114,7 +119,7 @@ std::shared_ptr<const SourceFile> read_source(const std::string& config) {
     if (std::filesystem::is_directory(config)) refuse("it is a folder");
     std::ifstream stream(config, std::ios::binary);
     if (!stream) refuse(std::strerror(errno));
-    std::string text = read_all(stream);
+    std::string text = read_text(stream);
     if (stream.bad()) refuse(std::strerror(errno));
     return std::make_shared<SourceFile>(SourceFile{config, std::move(text)});
 }

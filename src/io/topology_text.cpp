@@ -99,7 +99,7 @@ std::string to_text(const Topology& topology, const Topology& solved) {
     if (topology.sweep) text += sweep_line(*topology.sweep);
     if (topology.mirror) text += mirror_line(topology);
     text +=
-        fmt::format("memory: about {:.2g} GB on {} {}\n", estimated_bytes(solved, threads()) / 1e9,
+        fmt::format("memory: about {} on {} {}\n", memory_text(estimated_bytes(solved, threads())),
                     threads(), threads() == 1 ? "thread" : "threads");
     return text;
 }

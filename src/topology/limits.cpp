@@ -17,6 +17,15 @@ namespace hexweave {
 
 namespace {
 
+/// Bytes of a node: three coordinates of 8, once in the grid and once in what is written and
+/// measured.
+constexpr double held_bytes = 24 * 2;
+/// What is held besides for a node of a zone in flight: parameters, and the levels of the solver
+/// with their points, stencils and corrections. Measured, of a whole run less an empty one and with
+/// what is held: 225 bytes a node of a block of 1.6 million, 160 to 190 of a face. The last
+/// safeguards take two to three times as much; they are for hard shapes, not for large ones.
+constexpr double workspace_bytes = 210;
+
 /// A block, or a face of a grid without blocks.
 struct ZoneSize {
     std::string kind;
@@ -86,11 +95,14 @@ bool is_in_plane(const Surface& surface) {
     return true;
 }
 
-std::string gigabytes(double bytes) {
-    return fmt::format("{:.3g} GB", bytes / 1e9);
-}
-
 }  // namespace
+
+std::string memory_text(double bytes) {
+    if (bytes < 1e6) return fmt::format("{:.3g} kB", bytes / 1e3);
+    if (bytes < 1e9) return fmt::format("{:.3g} MB", bytes / 1e6);
+    if (bytes < 1e12) return fmt::format("{:.3g} GB", bytes / 1e9);
+    return fmt::format("{:.3g} TB", bytes / 1e12);
+}
 
 void measure_extent(Topology& topology, bool three_dimensional) {
     constexpr int intervals = 16;
@@ -116,25 +128,22 @@ bool check_zone_sizes(const Topology& topology, Diagnostics& diagnostics) {
     bool fit = true;
     for (const ZoneSize& zone : zones_of(topology)) {
         if (zone.nodes() <= most) continue;
-        diagnostics.error(
-            zone.place,
-            fmt::format("{} {} has {} nodes, {:.3g} in all: more than the 2147483647 "
-                        "that a CGNS zone can hold",
-                        zone.kind, quoted(zone.name), extent_text(zone.extent), zone.nodes()),
-            "give its edges fewer cells, or split it");
+        diagnostics.error(zone.place,
+                          fmt::format("{} {} has {} nodes, {:.3g} in all: more than the 2147483647 "
+                                      "that a CGNS zone can hold, and about {} of memory",
+                                      zone.kind, quoted(zone.name), extent_text(zone.extent),
+                                      zone.nodes(), memory_text(estimated_bytes(zone.nodes()))),
+                          "give its edges fewer cells, or split it");
         fit = false;
     }
     return fit;
 }
 
+double estimated_bytes(double nodes) {
+    return nodes * (held_bytes + workspace_bytes);
+}
+
 double estimated_bytes(const Topology& topology, int threads) {
-    // Three coordinates of 8 bytes, once in the grid and once in what is written and measured.
-    constexpr double held = 24 * 2;
-    // What is held besides for a zone in flight: parameters, and the levels of the solver with
-    // their points, stencils and corrections. Measured, of a whole run less an empty one and with
-    // what is held: 225 bytes a node of a block of 1.6 million, 160 to 190 of a face. The last
-    // safeguards take two to three times as much; they are for hard shapes, not for large ones.
-    constexpr double workspace = 210;
     std::vector<double> nodes;
     double all = 0;
     for (const ZoneSize& zone : zones_of(topology)) {
@@ -147,7 +156,7 @@ double estimated_bytes(const Topology& topology, int threads) {
     }
     double in_flight = 0;
     for (const double n : nodes) in_flight += n;
-    return held * all + workspace * in_flight;
+    return held_bytes * all + workspace_bytes * in_flight;
 }
 
 void check_memory(const Topology& topology, int threads, std::size_t available,
@@ -160,8 +169,8 @@ void check_memory(const Topology& topology, int threads, std::size_t available,
         [](const ZoneSize& a, const ZoneSize& b) { return a.nodes() < b.nodes(); });
     diagnostics.error(
         largest->place,
-        fmt::format("this grid needs about {}; this machine has {}", gigabytes(needed),
-                    gigabytes(static_cast<double>(available))),
+        fmt::format("this grid needs about {}; this machine has {}", memory_text(needed),
+                    memory_text(static_cast<double>(available))),
         fmt::format("{} {} is the largest, with {} nodes: give its edges fewer cells",
                     largest->kind, quoted(largest->name), extent_text(largest->extent)));
 }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "topology/limits.h"
 #include "topology/read_entries.h"
 #include "topology/read_spacing.h"
 
@@ -92,11 +93,17 @@ Name read_name_at(Reading& reading, const YamlNode& entry, std::string_view key)
                            : read_name(reading, *node, fmt::format("'{}'", key));
 }
 
+/// What a grid of so many cells would need even if it were one cell wide.
+std::string memory_of_strip(double cells) {
+    return fmt::format("a grid of so many cells in a row needs about {} of memory",
+                       memory_text(estimated_bytes(2 * (cells + 1))));
+}
+
 /// The number of cells, where it is given; a fault leaves the edge without a vertex.
 void read_cells(Reading& reading, const YamlNode& node, EdgeEntry& edge) {
     const YamlNode* cells = find(reading, node, "cells");
     if (cells == nullptr) return;
-    const auto count = read_count(reading, *cells, "'cells'");
+    const auto count = read_count(reading, *cells, "'cells'", memory_of_strip);
     if (count) edge.cells = {*count, cells->place};
     if (!count) edge.from.value.clear();
 }

@@ -184,7 +184,8 @@ std::optional<double> read_positive(Reading& reading, const YamlNode& node,
     return std::nullopt;
 }
 
-std::optional<int> read_count(Reading& reading, const YamlNode& node, const std::string& what) {
+std::optional<int> read_count(Reading& reading, const YamlNode& node, const std::string& what,
+                              std::string (*too_many)(double)) {
     const std::optional<double> value = read_number(reading, node, what);
     if (!value) return std::nullopt;
     const double whole = std::round(*value);
@@ -196,8 +197,11 @@ std::optional<int> read_count(Reading& reading, const YamlNode& node, const std:
         return std::nullopt;
     }
     if (whole < 1 || whole > largest_count) {
-        reading.diagnostics.error(node.place, fmt::format("{} must lie between 1 and {}{}", what,
-                                                          static_cast<int>(largest_count), is));
+        const bool tell = whole > largest_count && too_many != nullptr;
+        reading.diagnostics.error(node.place,
+                                  fmt::format("{} must lie between 1 and {}{}", what,
+                                              static_cast<int>(largest_count), is),
+                                  tell ? too_many(whole) : "");
         return std::nullopt;
     }
     return static_cast<int>(whole);

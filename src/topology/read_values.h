@@ -81,8 +81,9 @@ bool expect_list(Reading& reading, const YamlNode& node, const std::string& what
 std::optional<double> read_number(Reading& reading, const YamlNode& node, const std::string& what);
 std::optional<double> read_positive(Reading& reading, const YamlNode& node,
                                     const std::string& what);
-/// A whole number between 1 and ten million.
-std::optional<int> read_count(Reading& reading, const YamlNode& node, const std::string& what);
+/// A whole number between 1 and ten million; `too_many` makes the hint for more.
+std::optional<int> read_count(Reading& reading, const YamlNode& node, const std::string& what,
+                              std::string (*too_many)(double) = nullptr);
 /// The number under the key 'multiple_of', if it is there.
 std::optional<Located<int>> read_multiple_of(Reading& reading, const YamlNode& mapping);
 /// Two or three numbers.

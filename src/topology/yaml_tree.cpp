@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "topology/source_text.h"
+#include "topology/text_limit.h"
 #include "topology/yaml_faults.h"
 
 namespace hexweave {
@@ -21,6 +22,7 @@ namespace {
 
 constexpr std::size_t maximum_depth = 100;
 constexpr std::size_t maximum_aliased = 100'000;  ///< nodes that aliases stand for
+constexpr std::size_t maximum_nodes = 1'000'000;  ///< of a file
 
 /// Ends the parsing from inside an event; the diagnostic is already told.
 struct ParsingEnded {};
@@ -188,6 +190,11 @@ private:
     }
 
     void add(YamlNode node, YAML::anchor_t anchor) {
+        if (++nodes_ > maximum_nodes) {
+            diagnostics_.error(node.place, fmt::format("more than {} values", maximum_nodes),
+                               "put lists of points into files of their own");
+            throw ParsingEnded{};
+        }
         if (anchor != 0) anchors_[anchor] = node;
         if (open_.empty()) {
             root_ = std::move(node);
@@ -249,7 +256,17 @@ private:
     std::vector<OpenNode> open_;
     std::map<YAML::anchor_t, YamlNode> anchors_;
     std::size_t aliased_ = 0;
+    std::size_t nodes_ = 0;
 };
+
+bool check_length(const std::shared_ptr<const SourceFile>& source, Diagnostics& diagnostics) {
+    if (source->text.size() <= longest_text) return true;
+    diagnostics.error(
+        {source, 0, 0, 1},
+        fmt::format("the file has more than the {} bytes that a case may have", longest_text),
+        "put lists of points into files of their own");
+    return false;
+}
 
 /// Reads one document; false when it did not come to its end.
 bool handle_document(YAML::Parser& parser, const SourcePlaces& places, TreeBuilder& builder,
@@ -315,6 +332,7 @@ const YamlNode* YamlNode::find(std::string_view wanted) const {
 
 std::optional<YamlNode> read_yaml(const std::shared_ptr<const SourceFile>& source,
                                   Diagnostics& diagnostics) {
+    if (!check_length(source, diagnostics)) return std::nullopt;
     const SourcePlaces places(source);
     if (!check_text(places, diagnostics)) return std::nullopt;
 

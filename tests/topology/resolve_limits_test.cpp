@@ -73,7 +73,7 @@ TEST_CASE("A zone of more nodes than 32-bit sizes count is refused, without over
     CHECK_FALSE(check_zone_sizes(block_of(2000000000, 2000000000, 2000000000), diagnostics));
     CHECK(
         all_of(diagnostics) ==
-        R"(file: error: block 'big' has 2000000000 x 2000000000 x 2000000000 nodes, 8e+27 in all: more than the 2147483647 that a CGNS zone can hold
+        R"(file: error: block 'big' has 2000000000 x 2000000000 x 2000000000 nodes, 8e+27 in all: more than the 2147483647 that a CGNS zone can hold, and about 2.06e+18 TB of memory
   hint: give its edges fewer cells, or split it
 )");
 }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long the text of a case may be: what is longer is not a case, or points that belong into
+// files of their own.
+#pragma once
+
+#include <cstddef>
+
+namespace hexweave {
+
+inline constexpr std::size_t longest_text = std::size_t{16} << 20U;  ///< bytes
+
+}  // namespace hexweave
