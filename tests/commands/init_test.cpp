@@ -21,7 +21,7 @@ TEST_CASE("every starter config runs sound, without a warning, and can be drawn"
         const Finished run = scratch.hexweave("run --strict my_" + name + ".yaml");
         INFO(run.out << run.err);
         CHECK(run.exit_code == 0);
-        CHECK(run.err.empty());
+        CHECK(run.err.find("warning") == std::string::npos);
         CHECK(run.out.find("none folded") != std::string::npos);
         CHECK(scratch.has("my_" + name + ".cgns"));
         CHECK(scratch.hexweave("graph my_" + name + ".yaml -o a.svg").exit_code == 0);

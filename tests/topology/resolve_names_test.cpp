@@ -120,7 +120,7 @@ boundaries:
     CHECK(faults(text) == R"(9: error: unknown edge 'b-a'
   hint: the edge between these vertices is drawn as 'ab'
 9: error: unknown edge 'd-b'
-  hint: known: 'ab', 'ad', 'b-c' and 'c-d'
+  hint: a name of corners is made only where a face or block given by its 'corners' needs it; else draw it under 'edges'
 )");
 }
 
