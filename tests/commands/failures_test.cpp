@@ -51,7 +51,8 @@ TEST_CASE("every bad case is refused with the text that stands beside it") {
         ++cases;
         const Scratch scratch;
         const std::string name = entry.path().filename().string();
-        fs::copy(entry.path().parent_path(), scratch.path());  // some name files beside them
+        // Some name files beside them, or in a folder there.
+        fs::copy(entry.path().parent_path(), scratch.path(), fs::copy_options::recursive);
         scratch.write("out.cgns", "what was there before");
         const Finished run = scratch.hexweave("run " + name + " -o out.cgns");
         fs::path expected = entry.path();

@@ -13,7 +13,7 @@ using namespace hexweave;
 namespace {
 
 Case read_including(const std::vector<Override>& overrides) {
-    const std::string name = HEXWEAVE_SOURCE_DIR "/tests/cases/good/including.yaml";
+    const std::string name = HEXWEAVE_SOURCE_DIR "/tests/cases/included/including.yaml";
     std::ifstream stream(name);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     Diagnostics diagnostics;
