@@ -130,7 +130,7 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
     if (!expect_mapping(reading, node, what, "edge",
                         {{"at", "an edge is a pole 'at' a vertex, or goes 'from' one 'to' another",
                           "leave out 'at', or 'from' and 'to'"},
-                         {"heights", "'heights' are not in this version yet",
+                         {"heights", "'heights' are held by faces and blocks, not by edges",
                           "give a spacing with 'start', 'end' or 'positions'"}})) {
         return edge;
     }

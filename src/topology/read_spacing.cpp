@@ -216,7 +216,7 @@ std::optional<SpacingEntry> read_spacing(Reading& reading, const YamlNode& node)
     }
     expect_mapping(reading, node, "'spacing'",
                    {"spacing", "spacing_like", "spacing_positions", "spacing_parameters"},
-                   {{"heights", "'heights' are not in this version yet",
+                   {{"heights", "'heights' are held by faces and blocks, not by edges",
                      "give 'start', 'end', or 'positions' as fractions"}});
     for (const std::string_view key : {"like", "positions", "parameters"}) {
         if (const YamlNode* alone = find(reading, node, key))
