@@ -44,6 +44,11 @@ Affine compose(const Affine& first, const Affine& second) {
     return both;
 }
 
+bool is_identity(const Affine& map) {
+    const Affine identity;
+    return map.rows == identity.rows && map.offset == identity.offset;
+}
+
 Affine translation(const Vec3& by) {
     return {identity.rows, by};
 }

@@ -20,6 +20,8 @@ Vec3 apply(const Affine& map, const Vec3& point);
 Vec3 apply_to_direction(const Affine& map, const Vec3& direction);
 /// First `first`, then `second`.
 Affine compose(const Affine& first, const Affine& second);
+/// Whether a map leaves every point as it is, to the last bit.
+bool is_identity(const Affine& map);
 
 Affine translation(const Vec3& by);
 /// A factor for each axis, about `center`. Precondition: no factor is zero.

@@ -118,6 +118,16 @@ MappingFormat the_case() {
           "",
           "sets the mirror image of the whole grid beside it",
           "mirror: {at: symmetry}"},
+         {"components",
+          {entries("component", {mapping("component")})},
+          "",
+          "parts of a topology, to be used by instances",
+          "components: {strip: {vertices: {a: [0, 0], b: [1, 0]}}}"},
+         {"instances",
+          {entries("instance", {mapping("instance")})},
+          "",
+          "components where they are used, moved and joined",
+          "instances: {upper: {of: strip, translate: [0, 1]}}"},
          {"solver",
           {mapping("solver")},
           "",
@@ -158,7 +168,13 @@ MappingFormat any_entry() {
               {number()},
               "always",
               "without which (0) the entry is not there; mostly a comparison",
-              "when: 2 > 1"}}};
+              "when: 2 > 1"},
+             {"repeat",
+              {entries("index", {pair(number())})},
+              "once",
+              "an entry for each value of an index, from the first to the last, which expressions "
+              "may use, and names in braces: `blade{i}`",
+              "repeat: {i: [1, 0]}"}}};
 }
 
 MappingFormat levels() {
@@ -282,7 +298,10 @@ MappingFormat boundary() {
 }  // namespace
 
 std::vector<MappingFormat> formats_of_case() {
-    return {the_case(), include(), any_entry(), levels(), solver(), gates(), boundary()};
+    return {the_case(), format_of_component(the_case()),
+            include(),  any_entry(),
+            levels(),   solver(),
+            gates(),    boundary()};
 }
 
 }  // namespace hexweave

@@ -15,6 +15,9 @@ std::vector<MappingFormat> formats_of_shapes();
 std::vector<MappingFormat> formats_of_points();
 std::vector<MappingFormat> formats_of_faces();
 std::vector<MappingFormat> formats_of_files();
+std::vector<MappingFormat> formats_of_reuse();
+/// Made of sections of the case.
+MappingFormat format_of_component(const MappingFormat& the_case);
 std::vector<MappingFormat> formats_of_images();
 
 namespace forms {
@@ -53,6 +56,9 @@ inline ValueForm name(std::string_view kind) {
 }
 inline ValueForm signed_name(std::string_view kind) {
     return {.kind = ValueForm::Kind::signed_name, .of = kind};
+}
+inline ValueForm any_entity() {
+    return name("vertex, edge or face");
 }
 inline ValueForm axis_plane() {
     return {.kind = ValueForm::Kind::axis_plane};

@@ -30,9 +30,9 @@ void add_keys_of_entries(std::vector<MappingFormat>& table) {
 
 std::vector<MappingFormat> all_sections() {
     std::vector<MappingFormat> table;
-    for (const auto section :
-         {formats_of_case, formats_of_curves, formats_of_surfaces, formats_of_shapes,
-          formats_of_points, formats_of_faces, formats_of_images, formats_of_files}) {
+    for (const auto section : {formats_of_case, formats_of_curves, formats_of_surfaces,
+                               formats_of_shapes, formats_of_points, formats_of_faces,
+                               formats_of_images, formats_of_files, formats_of_reuse}) {
         std::vector<MappingFormat> formats = section();
         std::move(formats.begin(), formats.end(), std::back_inserter(table));
     }

@@ -9,6 +9,9 @@
 
 #include "topology/expand_entries.h"
 #include "topology/includes.h"
+#include "topology/instances.h"
+#include "topology/join_ports.h"
+#include "topology/place_instances.h"
 #include "topology/read_entries.h"
 #include "topology/read_gates.h"
 #include "topology/read_levels.h"
@@ -23,12 +26,6 @@
 namespace hexweave {
 
 namespace {
-
-const std::vector<RefusedKey>& later_keys() {
-    static const std::vector<RefusedKey> keys{
-        {"components", "components are not in this version yet", ""}};
-    return keys;
-}
 
 /// [Fowler, Noll & Vo], 64 bits: enough to tell one config from another.
 std::uint64_t fnv1a64(const std::string& text) {
@@ -114,11 +111,13 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     if (!check_version(reading, *root)) return c;
     root = merge_includes(reading, std::move(*root), overrides);
     c.provenance = provenance_of(reading, overrides);
-    expect_mapping(reading, *root, "a case", "case", later_keys());
+    reserve_sections(*root);
+    expect_mapping(reading, *root, "a case", "case");
     read_title_and_units(reading, *root, c);
     reading.units = c.units;
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
-    choose_entries(reading, *root);
+    expand_entries(reading, *root);
+    const Instances instances = expand_instances(reading, *root);
     const YamlNode* curves = section_of(reading, *root, "curves");
     read_shapes(reading, curves, section_of(reading, *root, "surfaces"), c);
     read_into(c.vertices, reading, *root, "vertices", read_vertices);
@@ -127,6 +126,9 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.blocks, reading, *root, "blocks", read_blocks);
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
     read_into(c.periodic, reading, *root, "periodic", read_periodic);
+    place_instances(reading, *root, c);
+    join_ports(c, instances, diagnostics);
+    merge_families(c, diagnostics);
     read_sweep_and_mirror(reading, *root, c);
     read_levels(reading, *root, c);
     c.multiple_of = read_multiple_of(reading, *root);

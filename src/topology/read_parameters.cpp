@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "topology/instance_scope.h"
+
 namespace hexweave {
 
 namespace {
@@ -50,14 +52,6 @@ std::map<std::string, YamlNode> overrides_by_name(Reading& reading, const YamlNo
         }
     }
     return by_name;
-}
-
-void check_parameter_name(Reading& reading, const YamlNode& node) {
-    if (!check_new_name(reading, node, "parameter")) return;
-    if (!is_reserved_in_expressions(node.key)) return;
-    reading.diagnostics.error(node.key_place,
-                              fmt::format("'{}' is not a valid parameter name", node.key),
-                              "it is a function or a constant of expressions");
 }
 
 /// The names in a text.
@@ -141,6 +135,14 @@ private:
 
 }  // namespace
 
+void check_parameter_name(Reading& reading, const YamlNode& node) {
+    if (!check_new_name(reading, node, "parameter")) return;
+    if (!is_reserved_in_expressions(node.key)) return;
+    reading.diagnostics.error(node.key_place,
+                              fmt::format("'{}' is not a valid parameter name", node.key),
+                              "it is a function or a constant of expressions");
+}
+
 std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section,
                                        const std::vector<Override>& overrides) {
     if (section != nullptr) return ParameterTable(reading, *section, overrides).compute();
@@ -149,6 +151,11 @@ std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section
 }
 
 void warn_unused_parameters(Reading& reading, const std::vector<Parameter>& parameters) {
+    for (auto scope = reading.scopes.rbegin(); scope != reading.scopes.rend(); ++scope) {
+        if (!(*scope)->repeats) continue;
+        const ScopePointer& outer = (*scope)->outer;
+        (outer ? outer->parameters : reading.parameters).used.merge((*scope)->parameters.used);
+    }
     for (const Parameter& p : parameters) {
         if (p.overridden || reading.parameters.used.contains(p.name.value)) continue;
         reading.diagnostics.warning(p.name.place,

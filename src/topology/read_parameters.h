@@ -14,6 +14,9 @@ namespace hexweave {
 std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section,
                                        const std::vector<Override>& overrides);
 
+/// Tells a name that no parameter may have.
+void check_parameter_name(Reading& reading, const YamlNode& node);
+
 /// Warns of parameters that nothing used, unless they were overridden.
 void warn_unused_parameters(Reading& reading, const std::vector<Parameter>& parameters);
 

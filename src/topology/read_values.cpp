@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "topology/instance_scope.h"
+
 namespace hexweave {
 
 namespace {
@@ -68,6 +70,10 @@ void tell_unknown_key(Reading& reading, const YamlNode& mapping, const YamlNode&
 }
 
 }  // namespace
+
+ParameterScope& parameters_at(Reading& reading, const YamlNode& node) {
+    return node.scope ? node.scope->parameters : reading.parameters;
+}
 
 std::string describe(const YamlNode& node) {
     switch (node.kind) {
@@ -167,7 +173,7 @@ bool expect_list(Reading& reading, const YamlNode& node, const std::string& what
 
 std::optional<double> read_number(Reading& reading, const YamlNode& node, const std::string& what) {
     if (!expect_scalar(reading, node, what, "a number or an expression")) return std::nullopt;
-    const auto result = evaluate(node.text, reading.parameters);
+    const auto result = evaluate(node.text, parameters_at(reading, node));
     if (const double* value = std::get_if<double>(&result)) return *value;
     return tell_fault(reading, node, std::get<ExpressionFault>(result));
 }
@@ -240,7 +246,7 @@ std::optional<Vec3> read_point(Reading& reading, const YamlNode& node, const std
 std::optional<std::function<double(double)>> read_formula(Reading& reading, const YamlNode& node,
                                                           const std::string& what) {
     if (!expect_scalar(reading, node, what, "a formula of t")) return std::nullopt;
-    auto result = compile(node.text, "t", reading.parameters);
+    auto result = compile(node.text, "t", parameters_at(reading, node));
     if (auto* formula = std::get_if<std::function<double(double)>>(&result)) return *formula;
     tell_fault(reading, node, std::get<ExpressionFault>(result));
     return std::nullopt;
@@ -250,7 +256,8 @@ std::optional<std::function<double(double, double)>> read_formula_of_uv(Reading&
                                                                         const YamlNode& node,
                                                                         const std::string& what) {
     if (!expect_scalar(reading, node, what, "a formula of u and v")) return std::nullopt;
-    auto result = compile(node.text, std::array<std::string, 2>{"u", "v"}, reading.parameters);
+    auto result =
+        compile(node.text, std::array<std::string, 2>{"u", "v"}, parameters_at(reading, node));
     if (auto* formula = std::get_if<std::function<double(double, double)>>(&result)) {
         return *formula;
     }
@@ -288,7 +295,7 @@ std::optional<std::size_t> read_choice(Reading& reading, const YamlNode& node,
 
 bool check_new_name(Reading& reading, const YamlNode& node, const std::string& kind,
                     std::size_t longest) {
-    const std::string& name = node.key;
+    const std::string name = local_name(node.key, node.scope);
     if (!is_name(name, "")) {
         reading.diagnostics.error(
             node.key_place, fmt::format("'{}' is not a valid {} name", shown(name), kind),
@@ -297,11 +304,12 @@ bool check_new_name(Reading& reading, const YamlNode& node, const std::string& k
         reading.diagnostics.error(node.key_place,
                                   fmt::format("'{}' is not a valid {} name", shown(name), kind),
                                   "other YAML programs read it as true, false or null");
-    } else if (name.size() > longest) {
+    } else if (node.key.size() > longest) {
         reading.diagnostics.error(
             node.key_place,
             fmt::format("the name of this {} has {} characters; at most {} are allowed", kind,
-                        name.size(), longest));
+                        node.key.size(), longest),
+            name == node.key ? "" : fmt::format("it is '{}' in full", shown(node.key)));
     } else {
         return true;
     }
@@ -309,7 +317,9 @@ bool check_new_name(Reading& reading, const YamlNode& node, const std::string& k
 }
 
 Name read_name(Reading& reading, const YamlNode& node, const std::string& what) {
-    if (node.is_scalar() && is_name(node.text, "-")) return {node.text, node.place};
+    if (node.is_scalar() && is_name(node.text, "-.")) {
+        return {qualified(node.text, node.scope), node.place};
+    }
     reading.diagnostics.error(node.place,
                               fmt::format("{} must be a name, not {}", what, describe(node)));
     return {{}, node.place};
@@ -341,7 +351,9 @@ SignedName read_signed_name(Reading& reading, const YamlNode& node, const std::s
         return {read_name(reading, node, what).value, false, false, node.place};
     }
     const std::string name = node.text.substr(1);
-    if (is_name(name, "-")) return {name, sign == '-', true, node.place};
+    if (is_name(name, "-.")) {
+        return {qualified(name, node.scope), sign == '-', true, node.place};
+    }
     reading.diagnostics.error(node.place,
                               fmt::format("{} must be a name, not {}", what, describe(node)));
     return {{}, false, false, node.place};

@@ -42,6 +42,8 @@ struct Reading {
     /// CAD files by their path; null where a fault has been told.
     std::map<std::string, std::shared_ptr<const CadFile>> cad_files{};
     std::vector<std::shared_ptr<const SourceFile>> included{};  ///< files, in order
+    std::vector<std::shared_ptr<InstanceScope>> scopes{};       ///< each behind that it stands in
+    int repeated = 0;                            ///< entries that repetition has made
     std::map<std::string, YamlNode> replaced{};  ///< parameters that an include gives a value
 };
 
@@ -51,6 +53,9 @@ struct RefusedKey {
     std::string_view message;
     std::string_view hint;
 };
+
+/// The parameters that the expressions of a node may use.
+ParameterScope& parameters_at(Reading& reading, const YamlNode& node);
 
 /// In `what`, below: the words for the value or entry, as in "edge 'wake'" or "'chord'".
 

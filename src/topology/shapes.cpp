@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "geometry/transform.h"
+#include "topology/instance_scope.h"
 #include "topology/read_curves.h"
 #include "topology/read_surfaces.h"
 
@@ -53,6 +55,15 @@ void tell_circle(Shapes& shapes, const YamlNode& node, const std::string& what) 
                                      alone ? "" : circle_text(shapes, what));
 }
 
+/// A shape of one scope as another sees it, or the case (null).
+template <class Shape>
+std::shared_ptr<const Shape> seen_from(const ShapeOfFile<Shape>& entry, const ScopePointer& scope) {
+    if (!entry.shape || !entry.node->scope || entry.node->scope == scope) return entry.shape;
+    const Affine map = map_between(entry.node->scope, scope);
+    if (is_identity(map)) return entry.shape;
+    return std::make_shared<const Shape>(transformed(*entry.shape, map));
+}
+
 template <class Shape>
 void tell_unknown(Shapes& shapes, const std::vector<ShapeOfFile<Shape>>& entries,
                   const YamlNode& node, const std::string& name, const std::string& kind) {
@@ -85,7 +96,7 @@ std::shared_ptr<const Shape> use(Shapes& shapes, std::vector<ShapeOfFile<Shape>>
     if (!too_deep) read_now(shapes, *entry, kind);
     int& descent = shapes.open.back().descent;
     descent = std::max(descent, entry->descent + 1);
-    if (!too_deep && descent <= longest_descent) return entry->shape;
+    if (!too_deep && descent <= longest_descent) return seen_from(*entry, node.scope);
     shapes.reading.diagnostics.error(
         node.place, fmt::format("more than {} shapes are made of one another", longest_descent));
     return nullptr;
@@ -128,10 +139,12 @@ void read_shapes(Reading& reading, const YamlNode* curves, const YamlNode* surfa
         read_now(shapes, entry, "surface");
     }
     for (const ShapeOfFile<Curve>& entry : shapes.curves) {
-        c.curves.push_back({{entry.node->key, entry.node->key_place}, entry.shape, entry.used});
+        c.curves.push_back(
+            {{entry.node->key, entry.node->key_place}, seen_from(entry, nullptr), entry.used});
     }
     for (const ShapeOfFile<Surface>& entry : shapes.surfaces) {
-        c.surfaces.push_back({{entry.node->key, entry.node->key_place}, entry.shape, entry.used});
+        c.surfaces.push_back(
+            {{entry.node->key, entry.node->key_place}, seen_from(entry, nullptr), entry.used});
     }
 }
 

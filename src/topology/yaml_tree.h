@@ -14,6 +14,8 @@
 
 namespace hexweave {
 
+struct InstanceScope;
+
 struct YamlNode {
     enum class Kind { null, scalar, sequence, mapping };
 
@@ -29,6 +31,8 @@ struct YamlNode {
     /// Values of a mapping: the key.
     std::string key;
     Place key_place;
+    /// That its names and expressions belong to; null: the case's own.
+    std::shared_ptr<InstanceScope> scope;
 
     bool is_null() const { return kind == Kind::null; }
     bool is_scalar() const { return kind == Kind::scalar; }

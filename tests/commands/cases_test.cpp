@@ -61,6 +61,18 @@ const std::vector<ShippedCase> shipped_cases{
      "--zones front=13x21x9 top=21x21x9 rear=15x21x9 bottom=21x21x9 inlet_low=11x9x9 "
      "inlet=11x13x9 inlet_up=11x9x9 below=21x9x9 above=21x9x9 outlet_low=17x9x9 wake=17x15x9 "
      "outlet_up=17x9x9 --families vane hub shroud inflow outflow"},
+    {"cascade", "", 30, 22080,
+     "--zones passage1.nose=25x25x1 passage1.top=49x25x1 passage1.tail=25x25x1 "
+     "passage1.bottom=49x25x1 passage1.before=17x25x1 passage1.behind=25x25x1 "
+     "passage2.nose=25x25x1 passage2.top=49x25x1 passage2.tail=25x25x1 "
+     "passage2.bottom=49x25x1 passage2.before=17x25x1 passage2.behind=25x25x1 "
+     "passage3.nose=25x25x1 passage3.top=49x25x1 passage3.tail=25x25x1 "
+     "passage3.bottom=49x25x1 passage3.before=17x25x1 passage3.behind=25x25x1 "
+     "passage4.nose=25x25x1 passage4.top=49x25x1 passage4.tail=25x25x1 "
+     "passage4.bottom=49x25x1 passage4.before=17x25x1 passage4.behind=25x25x1 "
+     "passage5.nose=25x25x1 passage5.top=49x25x1 passage5.tail=25x25x1 "
+     "passage5.bottom=49x25x1 passage5.before=17x25x1 passage5.behind=25x25x1 "
+     "--families struts inlet outlet floor roof"},
     {"obstacle", "", 1, 24000, "--zones ring=401x61x1 --families body farfield"},
     {"scherk", "", 1, 1600, "--zones surface=41x41x1 --families rim"},
     {"pipe", "--set across=8 --set radial=12 --set along=10", 5, 4480,

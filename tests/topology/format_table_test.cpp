@@ -102,6 +102,7 @@ std::string case_with(const MappingFormat& format, const std::string& inside) {
 
 /// What examples speak of.
 const std::map<std::string, std::string> known{
+    {"components", "strip: {parameters: {length: 1}, vertices: {a: [0, 0], b: [length, 0]}}"},
     {"curves", "root: {line: [[0, 1, 0], [1, 1, 0]]}, tip: {line: [[0, 0.2, 1], [1, 0.2, 1]]}"},
     {"surfaces", "wing: {plane: {point: [0, 0, 0], u: [1, 0, 0], v: [0, 1, 0]}}"}};
 
