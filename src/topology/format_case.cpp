@@ -122,7 +122,7 @@ MappingFormat the_case() {
           {entries("component", {mapping("component")})},
           "",
           "parts of a topology, to be used by instances",
-          "components: {strip: {vertices: {a: [0, 0], b: [1, 0]}}}"},
+          "components: {plate: {vertices: {a: [0, 0], b: [1, 0]}}}"},
          {"instances",
           {entries("instance", {mapping("instance")})},
           "",

@@ -276,33 +276,40 @@ void join_pair(Joining& joining, const Pair& pair) {
     }
 }
 
-/// Ports among some names replaced by their parts.
-std::vector<Name> with_parts(const Instances& instances, const std::vector<Name>& names) {
+/// Ports among some names replaced by their parts, which may be ports of inner instances. Within a
+/// port its own name is that of an entity.
+std::vector<Name> with_parts(const Instances& instances, const std::vector<Name>& names,
+                             const std::set<std::string>& within = {}) {
     std::vector<Name> parts;
     for (const Name& name : names) {
         const auto port = instances.ports.find(name.value);
-        if (port == instances.ports.end()) {
+        if (port == instances.ports.end() || within.count(name.value) > 0) {
             parts.push_back(name);
             continue;
         }
-        for (const Name& part : port->second) parts.push_back({part.value, name.place});
+        std::set<std::string> inner = within;
+        inner.insert(name.value);
+        for (const Name& part : with_parts(instances, port->second, inner)) {
+            parts.push_back({part.value, name.place});
+        }
     }
     return parts;
 }
 
 void join_port(Joining& joining, const PortJoin& join) {
+    const std::vector<Name> inside = with_parts(joining.instances, join.inside, {join.port});
     const std::vector<Name> outside = with_parts(joining.instances, join.outside);
-    if (outside.size() != join.inside.size()) {
-        if (join.outside.empty() || join.inside.empty()) return;  // told when it was read
+    if (outside.size() != inside.size()) {
+        if (outside.empty() || inside.empty()) return;  // told when it was read
         joining.diagnostics.error(
             join.place,
             fmt::format("port {} has {} part{}, but what it is joined to has {}", quoted(join.port),
-                        join.inside.size(), join.inside.size() == 1 ? "" : "s", outside.size()),
+                        inside.size(), inside.size() == 1 ? "" : "s", outside.size()),
             "parts are joined one by one, in order");
         return;
     }
     for (std::size_t n = 0; n < outside.size(); ++n) {
-        join_pair(joining, {join.inside[n], outside[n], join});
+        join_pair(joining, {inside[n], outside[n], join});
     }
 }
 

@@ -102,9 +102,12 @@ std::string case_with(const MappingFormat& format, const std::string& inside) {
 
 /// What examples speak of.
 const std::map<std::string, std::string> known{
-    {"components", "strip: {parameters: {length: 1}, vertices: {a: [0, 0], b: [length, 0]}}"},
+    {"components",
+     "strip: {parameters: {length: 1}, ports: {entry: a, outlet: a}, vertices: {a: [0, 0], b: "
+     "[length, 0]}}"},
     {"curves", "root: {line: [[0, 1, 0], [1, 1, 0]]}, tip: {line: [[0, 0.2, 1], [1, 0.2, 1]]}"},
-    {"surfaces", "wing: {plane: {point: [0, 0, 0], u: [1, 0, 0], v: [0, 1, 0]}}"}};
+    {"surfaces", "wing: {plane: {point: [0, 0, 0], u: [1, 0, 0], v: [0, 1, 0]}}"},
+    {"instances", "main: {of: strip}"}};
 
 /// A case's flow text as the text of a file in which the names of examples are known.
 std::string with_known_names(const std::string& flow) {

@@ -152,8 +152,11 @@ TEST_CASE("components are made of components, with qualified names") {
         "first.right}}\n"
         "instances:\n"
         "  low: {of: pair, scale: 2}\n"
-        "  next: {of: strip, set: {cells: 3}, scale: 2, translate: [4, 0], join: {left: "
-        "low.end}}\n");
+        "  next:\n"
+        "    of: strip\n"
+        "    set: {cells: 3}\n"
+        "    transform: [{scale: 2}, {translate: [4, 0]}]\n"
+        "    join: {left: low.end}\n");
     CHECK(named(t.vertices, "low.second.c").position == Vec3{4, 2, 0});
     CHECK(named(t.edges, "low.second.south").cells == 6);
     const Face& next = named(t.faces, "next.field");
@@ -169,6 +172,6 @@ TEST_CASE("a fault of a component shows the line that uses it") {
         diagnostics);
     const std::string text = render(diagnostics);
     INFO(text);
-    CHECK(text.find("case.yaml:20:22: error: unknown parameter 'unknown'") != std::string::npos);
+    CHECK(text.find("case.yaml:20:20: error: unknown parameter 'unknown'") != std::string::npos);
     CHECK(text.find("case.yaml:22:3: note: in instance 'one', written here") != std::string::npos);
 }
