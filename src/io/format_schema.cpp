@@ -17,10 +17,11 @@ using Kind = ValueForm::Kind;
 // Words that YAML 1.1 reads as truth values are no names; a reader of YAML 1.2 hands them on.
 constexpr const char* no_switch =
     "^([yY]|[nN]|[yY][eE][sS]|[nN][oO]|[oO][nN]|[oO][fF][fF]|true|false|null)$";
-constexpr const char* name_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
+/// With the index of a repetition in braces: passage{i - 1}.
+constexpr const char* name_pattern = R"(^[A-Za-z_]([A-Za-z0-9_]|\{[^{}]+\})*$)";
 /// A name in a component is qualified, a made edge or face is named after its corners.
-constexpr const char* use_pattern = "^[A-Za-z_][A-Za-z0-9_.-]*$";
-constexpr const char* signed_pattern = "^[-+]?[A-Za-z_][A-Za-z0-9_.-]*$";
+constexpr const char* use_pattern = R"(^[A-Za-z_]([A-Za-z0-9_.-]|\{[^{}]+\})*$)";
+constexpr const char* signed_pattern = R"(^[-+]?[A-Za-z_]([A-Za-z0-9_.-]|\{[^{}]+\})*$)";
 /// What an expression is written with; a comma stands between arguments only.
 constexpr const char* expression_pattern =
     R"(^\s*[-+*/^().\w\s<>=!&|?:]+\s*$|^[^,]*\([-+*/^().,\w\s<>=!&|?:]*\s*$)";
