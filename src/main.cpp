@@ -15,10 +15,14 @@ namespace {
 
 constexpr const char* description =
     "hexweave: multiblock structured grids for CFD from a declarative text file\n";
-constexpr const char* footer =
-    "\nExit codes: 0 done; 1 the grid was written but is not sound; 2 the input or the command "
-    "line\n"
-    "is wrong, nothing written; 3 the machine failed, nothing written.";
+constexpr const char* exit_codes =
+    "\nExit codes: 0 done; 1 the grid is not sound (run writes it all the same), or differs\n"
+    "(compare); 2 the input or the command line is wrong, nothing written; 3 the machine failed,\n"
+    "nothing written.";
+/// Of a command that judges no grid and says nothing else.
+constexpr const char* exit_codes_of_commands =
+    "\nExit codes: 0 done; 2 the input or the command line is wrong, nothing written; 3 the\n"
+    "machine failed, nothing written.";
 
 int failed(hexweave::ExitCode code, const char* message) {
     std::fprintf(stderr, "hexweave: error: %s\n", message);
@@ -31,7 +35,7 @@ int run(int argc, char** argv) {
     CLI::App app{description, "hexweave"};
     app.set_version_flag("--version", "hexweave " HEXWEAVE_VERSION);
     app.require_subcommand(1);
-    app.footer(footer);
+    app.footer(exit_codes_of_commands);  // commands take it over when they are added
     hexweave::ChosenCommand chosen;
     hexweave::add_run(app, chosen);
     hexweave::add_check(app, chosen);
@@ -45,6 +49,7 @@ int run(int argc, char** argv) {
     hexweave::add_graph(app, chosen);
     hexweave::add_docs(app, chosen);
     hexweave::add_schema(app, chosen);
+    app.footer(exit_codes);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

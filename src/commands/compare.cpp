@@ -96,6 +96,10 @@ void add_compare(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("FILE");
     add_threads_option(*command, options->threads);
     command->add_flag("--quiet", options->quiet, "print the verdict only");
+    command->footer(
+        "\nExit codes: 0 the same within tolerance; 1 different; 2 they could not be compared, or "
+        "the\n"
+        "command line is wrong; 3 the machine failed.");
     command->callback(
         [options, &chosen] { chosen = [options] { return compare_and_record(*options); }; });
 }

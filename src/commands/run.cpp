@@ -184,6 +184,12 @@ void add_run(CLI::App& app, ChosenCommand& chosen) {
                      "where it differs from the one there")
         ->type_name("DIR")
         ->excludes(output);
+    command->footer(
+        "\nExit codes: 0 done, the grid is sound and passes its gates; 1 it is not or does not (it "
+        "is\n"
+        "written all the same, but never as a golden grid); 2 the input or the command line is "
+        "wrong,\n"
+        "nothing written; 3 the machine failed, nothing written.");
     command->callback([options, &chosen] {
         options->input.config = options->configs.front();
         chosen = [options] {

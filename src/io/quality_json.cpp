@@ -29,6 +29,7 @@ Json zone(const ZoneQuality& z) {
                  {"least_jacobian", extreme(z.least_jacobian)},
                  {"greatest_skewness", extreme(z.greatest_skewness)},
                  {"mean_skewness", json_of(z.mean_skewness)},
+                 {"skewness_99", json_of(z.skewness_99)},
                  {"greatest_aspect_ratio", extreme(z.greatest_aspect_ratio)},
                  {"bends", json_list(z.bends, bends)}});
     return json;

@@ -44,18 +44,18 @@ std::string zone_table(const GridQuality& q) {
     const auto name = [](const ZoneQuality& z) { return z.measure.name; };
     const std::size_t width = width_of(q.zones, 4, name);
     std::string text =
-        fmt::format("{:<{}} {:>15} {:>7} {:>9} {:>10} {:>10} {:>10} {:>14} {:>9} {:>8} {:>12}\n",
+        fmt::format("{:<{}} {:>15} {:>7} {:>9} {:>10} {:>10} {:>10} {:>14} {:>13} {:>8} {:>12}\n",
                     "zone", width, "nodes", "folded", "scaled J.", "least J.", "least vol.",
-                    "volume", "angles", "skewness", "growth", "bend MDS/ADS");
+                    "volume", "angles", "skewness 99 %", "growth", "bend MDS/ADS");
     for (const ZoneQuality& z : q.zones) {
         const BendMeasure bends = all_bends(z);
         text += fmt::format(
-            "{:<{}} {:>15} {:>7} {:>9.4f} {:>10.3e} {:>10.3e} {:>10.4g} {:>6.2f} {:>7.2f} {:>9.3f} "
-            "{:>8.3f} {:>6.1f}/{:.2f}\n",
+            "{:<{}} {:>15} {:>7} {:>9.4f} {:>10.3e} {:>10.3e} {:>10.4g} {:>6.2f} {:>7.2f} {:>7.3f} "
+            "{:>5.3f} {:>8.3f} {:>6.1f}/{:.2f}\n",
             z.measure.name, width, nodes_text(z.measure.extent), z.measure.folded,
             z.measure.worst_scaled_jacobian, z.least_jacobian.value, z.least_volume.value, z.volume,
             z.measure.angles.least, z.measure.angles.greatest, z.greatest_skewness.value,
-            greatest_growth(z.measure), bends.greatest, bends.mean());
+            z.skewness_99, greatest_growth(z.measure), bends.greatest, bends.mean());
     }
     return text;
 }

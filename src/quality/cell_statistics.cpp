@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/parallel.h"
 #include "quality/cell_corners.h"
@@ -160,6 +161,12 @@ void Collector::include(const Collector& later) {
 
 }  // namespace
 
+Histogram skewness_in_thousandths() {
+    std::vector<double> limits;
+    for (int n = 1; n <= 1000; ++n) limits.push_back(n / 1000.0);
+    return {"equiangle skewness", std::move(limits)};
+}
+
 CellStatistics cell_statistics(const Zone& zone, bool planar, int worst_count) {
     const Extent e = zone.points.extent();
     // Rows of cells are parts of their own, put together in their order: sums do not depend on the
@@ -178,6 +185,7 @@ CellStatistics cell_statistics(const Zone& zone, bool planar, int worst_count) {
     for (const Collector& part : parts) all.include(part);
     all.statistics.quality.mean_skewness /=
         static_cast<double>(std::max<std::size_t>(e.cells(), 1));
+    all.statistics.quality.skewness_99 = all.statistics.skewness.quantile(0.99);
     return all.statistics;
 }
 

@@ -22,9 +22,10 @@ void include_growth(const PointField& points, Histogram& histogram) {
 }
 
 void merge(std::vector<Histogram>& all, const CellStatistics& cells) {
-    const std::array<const Histogram*, 4> own{&cells.scaled_jacobian, &cells.skewness,
-                                              &cells.aspect_ratio, &cells.deviation};
-    for (std::size_t n = 0; n < own.size(); ++n) all[n].include(*own[n]);
+    all[0].include(cells.scaled_jacobian);
+    all[1].include(cells.skewness.coarsened(all[1].limits));
+    all[2].include(cells.aspect_ratio);
+    all[3].include(cells.deviation);
 }
 
 void keep_worst(std::vector<WorstCell>& worst, const std::vector<WorstCell>& found,
@@ -98,8 +99,10 @@ GridQuality measure_quality(const MultiblockGrid& grid, int worst_count) {
     quality.units = grid.units;
     const bool planar = grid.physical_dimension == 2;
     const CellStatistics empty;
-    quality.histograms = {empty.scaled_jacobian, empty.skewness, empty.aspect_ratio,
-                          empty.deviation, Histogram("growth", {1.1, 1.2, 1.3, 1.5, 2, 5})};
+    quality.histograms = {empty.scaled_jacobian,
+                          empty.skewness.coarsened({0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}),
+                          empty.aspect_ratio, empty.deviation,
+                          Histogram("growth", {1.1, 1.2, 1.3, 1.5, 2, 5})};
     for (const Zone& zone : grid.zones) {
         const CellStatistics cells = cell_statistics(zone, planar, worst_count);
         merge(quality.histograms, cells);

@@ -38,6 +38,7 @@ struct ZoneQuality {
     /// Equiangle skewness of a cell: the greatest of |angle - 90| / 90 over its angles.
     CellExtreme greatest_skewness;
     double mean_skewness = 0;
+    double skewness_99 = 0;  ///< that 99 % of the cells do not exceed, to a thousandth
     /// The longest over the shortest edge of a cell (edges without length do not count).
     CellExtreme greatest_aspect_ratio;
     std::array<BendMeasure, 3> bends;  ///< along i, j and k

@@ -31,4 +31,30 @@ std::size_t Histogram::total() const {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
+double Histogram::quantile(double part) const {
+    const double wanted = part * static_cast<double>(total());
+    double below = 0;
+    for (std::size_t n = 0; n < limits.size(); ++n) {
+        const auto here = static_cast<double>(counts[n]);
+        if (here > 0 && below + here >= wanted) {
+            const double low = n == 0 ? 0 : limits[n - 1];
+            return low + (limits[n] - low) * std::max(0.0, wanted - below) / here;
+        }
+        below += here;
+    }
+    return below < wanted ? limits.back() : 0;
+}
+
+Histogram Histogram::coarsened(const std::vector<double>& some_limits) const {
+    Histogram coarse(measure, some_limits, small_is_bad);
+    for (std::size_t n = 0; n < counts.size(); ++n) {
+        // A bin lies whole below its upper limit.
+        const auto above = n == limits.size() ? some_limits.end()
+                                              : std::lower_bound(some_limits.begin(),
+                                                                 some_limits.end(), limits[n]);
+        coarse.counts[static_cast<std::size_t>(above - some_limits.begin())] += counts[n];
+    }
+    return coarse;
+}
+
 }  // namespace hexweave

@@ -23,6 +23,12 @@ struct Histogram {
     void include(double value);
     void include(const Histogram& other);
     std::size_t total() const;
+    /// The value that this part of all values (0 to 1) does not exceed, as if the values of a bin
+    /// lay evenly between its limits: right to the width of the bin. Values below the first limit
+    /// count from 0 on, those above the last as the last; of no values it is 0.
+    double quantile(double part) const;
+    /// The same values counted between some of the limits.
+    Histogram coarsened(const std::vector<double>& some_limits) const;
 };
 
 }  // namespace hexweave

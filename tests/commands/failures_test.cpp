@@ -205,6 +205,9 @@ TEST_CASE("the command line is checked") {
     CHECK(scratch.listing() == "tiny.yaml");
     CHECK(scratch.hexweave("--help").exit_code == 0);
     CHECK(contains(scratch.hexweave("--help").out, "Exit codes"));
+    CHECK(contains(scratch.hexweave("compare --help").out, "1 different"));
+    CHECK(contains(scratch.hexweave("run --help").out, "passes its gates"));
+    CHECK_FALSE(contains(scratch.hexweave("plot --help").out, "1 the grid"));
     CHECK(contains(scratch.hexweave("--version").out, "hexweave 0."));
 }
 
