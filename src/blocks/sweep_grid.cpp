@@ -15,11 +15,23 @@ namespace hexweave {
 
 namespace {
 
+/// How far along the sweep its layers are, from 0 to 1: at a coarser level those of every n-th
+/// layer of the finest, to the bit.
+std::vector<double> layer_fractions(const Sweep& sweep) {
+    const std::vector<double> finest = law_fractions(
+        sweep.law, sweep.cells * sweep.stride / sweep.refinement, sweep.length, sweep.refinement);
+    std::vector<double> fractions;
+    for (std::size_t n = 0; n < finest.size(); n += static_cast<std::size_t>(sweep.stride)) {
+        fractions.push_back(finest[n]);
+    }
+    return fractions;
+}
+
 /// The maps that lead from the planar grid to every layer, in the order of k. A full turn ends
 /// where it began.
 std::vector<PeriodicMap> layer_maps(const Sweep& sweep) {
     std::vector<PeriodicMap> maps;
-    for (const double f : law_fractions(sweep.law, sweep.cells, sweep.length)) {
+    for (const double f : layer_fractions(sweep)) {
         const bool closing = f == 1 && sweep.full_turn;
         maps.push_back(closing ? PeriodicMap{}
                                : periodic_map({sweep.whole.center, f * sweep.whole.angle,

@@ -28,11 +28,15 @@ double growth_across(const Report& report) {
     return worst;
 }
 
-/// How many times the cells of a grid line there are, on average.
+/// How many times the cells of a grid line there are, on average over the axes along which there
+/// are more: not along that of a sweep by one cell.
 double refinement(const Report& coarser, const Report& finer) {
-    const bool surface = finer.zones.front().extent.nk == 1;
+    const Extent& less = coarser.zones.front().extent;
+    const Extent& more = finer.zones.front().extent;
+    int axes = 0;
+    for (int axis = 0; axis < 3; ++axis) axes += more[axis] > less[axis] ? 1 : 0;
     const double cells = static_cast<double>(finer.cells) / static_cast<double>(coarser.cells);
-    return std::pow(cells, surface ? 1.0 / 2 : 1.0 / 3);
+    return std::pow(cells, 1.0 / std::max(axes, 1));
 }
 
 std::string walls_text(const Report& report) {

@@ -49,9 +49,11 @@ std::string periodic_line(const Topology& topology, const PeriodicInterface& int
     return text + "\n";
 }
 
-std::string sweep_line(const Sweep& sweep) {
+std::string sweep_line(const Topology& topology) {
+    const Sweep& sweep = *topology.sweep;
     std::string text = fmt::format("swept by a {}, {} {}", map_text(sweep.whole), sweep.cells,
                                    sweep.cells == 1 ? "cell" : "cells");
+    if (topology.family && sweep.single) text += " at every level";
     if (sweep.joined) return text + ", its ends joined\n";
     return text + fmt::format(", from {} to {}\n", sweep.ends[0], sweep.ends[1]);
 }
@@ -96,7 +98,7 @@ std::string to_text(const Topology& topology, const Topology& solved) {
     if (!topology.periodic.empty()) text += "periodic:\n";
     for (const PeriodicInterface& p : topology.periodic) text += periodic_line(topology, p);
     text += adjusted_counts_text(topology);
-    if (topology.sweep) text += sweep_line(*topology.sweep);
+    if (topology.sweep) text += sweep_line(topology);
     if (topology.mirror) text += mirror_line(topology);
     text +=
         fmt::format("memory: about {} on {} {}\n", memory_text(estimated_bytes(solved, threads())),

@@ -10,11 +10,15 @@ namespace hexweave {
 
 namespace {
 
+bool lists_points(const std::optional<Located<SpacingEntry>>& spacing) {
+    if (!spacing) return false;
+    const auto* points = std::get_if<ExplicitLaw>(&spacing->value);
+    return points != nullptr && points->values.size() > 1;
+}
+
 /// Whether the edge's count is that of the points that it lists.
 bool lists_points(const EdgeEntry* entry) {
-    if (entry == nullptr || !entry->spacing) return false;
-    const auto* points = std::get_if<ExplicitLaw>(&entry->spacing->value);
-    return points != nullptr && points->values.size() > 1;
+    return entry != nullptr && lists_points(entry->spacing);
 }
 
 /// By group: the first edge that lists its points, else the first that is given a count, else the
@@ -71,28 +75,31 @@ std::vector<WantedCount> wanted_counts(const Counting& counting, const std::vect
     return wanted;
 }
 
-/// Points that are listed cannot become more, nor others.
+/// Points that are listed, for `cells` of them, cannot become more, nor others.
+void check_listed(const std::string& lister, const Place& place, std::int64_t cells,
+                  std::int64_t multiple, const Scale& scale, Diagnostics& diagnostics) {
+    if (scale.refinement > 1 || scale.factor != 1) {
+        diagnostics.error(
+            place,
+            fmt::format("{} lists its points, which are those of the level 'medium' only", lister),
+            "give a formula in t, which fits any count");
+    } else if (cells % multiple != 0) {
+        diagnostics.error(
+            place,
+            fmt::format("{} lists the points of {}, which is not a multiple of {}", lister,
+                        cells_text(cells), multiple),
+            "list as many as that takes, or give a formula in t, which fits any count");
+    }
+}
+
 void check_listed(const Counting& counting, const std::vector<WantedCount>& wanted,
                   const std::vector<int>& spokesmen, const Scale& scale) {
     for (std::size_t g = 0; g < wanted.size(); ++g) {
         if (!wanted[g].fixed) continue;
-        const std::int64_t cells = counting.groups[g].cells;
         const auto edge = static_cast<std::size_t>(spokesmen[g]);
-        const Place& place = counting.network.edge_entries[edge]->spacing->place;
-        if (scale.refinement > 1 || scale.factor != 1) {
-            counting.diagnostics.error(
-                place,
-                fmt::format("edge {} lists its points, which are those of the level 'medium' only",
-                            counting.edge_name(spokesmen[g])),
-                "give a formula in t, which fits any count");
-        } else if (cells % wanted[g].multiple != 0) {
-            counting.diagnostics.error(
-                place,
-                fmt::format("edge {} lists the points of {}, which is not a multiple of {}",
-                            counting.edge_name(spokesmen[g]), cells_text(cells),
-                            wanted[g].multiple),
-                "list as many as that takes, or give a formula in t, which fits any count");
-        }
+        check_listed("edge " + counting.edge_name(spokesmen[g]),
+                     counting.network.edge_entries[edge]->spacing->place, counting.groups[g].cells,
+                     wanted[g].multiple, scale, counting.diagnostics);
     }
 }
 
@@ -127,6 +134,21 @@ std::vector<AdjustedCount> adjust_counts(Counting& counting,
                             wanted[g].asked * scale.refinement, static_cast<int>(count.cells)});
     }
     return adjusted;
+}
+
+LayerCount raise_layers(const SweepEntry& entry, const CountRules& rules,
+                        Diagnostics& diagnostics) {
+    const int written = entry.cells.value;
+    if (written == 1) return {};
+    const Scale scale = scale_of(rules);
+    const bool listed = lists_points(entry.spacing);
+    if (listed) {
+        check_listed("the sweep", entry.spacing->place, written, scale.multiple, scale,
+                     diagnostics);
+    }
+    const double asked = listed ? written : written * scale.factor;
+    const RaisedCounts raised = raise_counts({{asked, scale.multiple, listed}}, {});
+    return {raised.cells.front() * scale.refinement, asked * scale.refinement, scale.refinement};
 }
 
 }  // namespace hexweave

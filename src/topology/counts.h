@@ -3,6 +3,7 @@
 // of edges. Counts are then raised as asked: to those of a level, to multiples.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "core/diagnostics.h"
@@ -22,5 +23,16 @@ struct CountRules {
 /// listed in the topology.
 void resolve_counts(Network& network, const ParallelEdges& parallels, const CountRules& rules,
                     Diagnostics& diagnostics);
+
+/// The layers of a sweep, raised like the cells of edges.
+struct LayerCount {
+    std::int64_t cells = 1;
+    double asked = 1;    ///< those in the file times the factor of the level
+    int refinement = 1;  ///< layers for each of those that the law is determined with
+};
+
+/// A single layer stays one: a grid that is one cell thick is so at every level. Reports listed
+/// positions, which cannot be raised.
+LayerCount raise_layers(const SweepEntry& entry, const CountRules& rules, Diagnostics& diagnostics);
 
 }  // namespace hexweave

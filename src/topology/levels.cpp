@@ -78,6 +78,9 @@ Case scaled_to_level(const Case& c, const GridFamily& family) {
     for (EdgeEntry& edge : scaled.edges) {
         if (edge.spacing) std::visit(ScaleLaw{by}, edge.spacing->value);
     }
+    if (scaled.sweep && scaled.sweep->spacing) {
+        std::visit(ScaleLaw{by}, scaled.sweep->spacing->value);
+    }
     for (FaceEntry& face : scaled.faces) scale_heights(face.how.heights, by);
     for (BlockEntry& block : scaled.blocks) scale_heights(block.how.heights, by);
     return scaled;
@@ -109,6 +112,10 @@ Topology at_level(const Topology& solved, std::size_t level) {
                 for (int& begin : use.begin) begin /= stride;
             }
         }
+    }
+    if (topology.sweep && !topology.sweep->single) {
+        topology.sweep->cells /= stride;
+        topology.sweep->stride = stride;
     }
     for (AdjustedCount& adjusted : topology.adjusted_counts) {
         adjusted.asked /= stride;

@@ -57,10 +57,11 @@ Topology resolve_scaled(const Case& c, const std::optional<GridFamily>& family,
     pair_periodic_sides(network, c, diagnostics);
     make_images(network, diagnostics);
     const ParallelEdges parallels = parallel_edges(network.topology);
-    resolve_counts(network, parallels, {c.multiple_of, family}, diagnostics);
+    const CountRules rules{c.multiple_of, family};
+    resolve_counts(network, parallels, rules, diagnostics);
     if (family && family->nested()) refine(network.topology, *family);
     resolve_spacing(network, parallels, diagnostics);
-    place_sweep(network, c, diagnostics);
+    place_sweep(network, c, rules, diagnostics);
     resolve_boundaries(network, c, diagnostics);
     resolve_planes(network, c, diagnostics);
     settle_images(network, diagnostics);

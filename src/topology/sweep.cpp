@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include "topology/boundaries.h"
+#include "topology/counting.h"
 #include "topology/sample.h"
 #include "topology/spacing_fit.h"
 #include "topology/text.h"
@@ -98,16 +101,37 @@ Sweep extrusion(const SweepEntry& entry, const Vec3& along, Diagnostics& diagnos
     if (std::holds_alternative<LikeLaw>(law)) {
         diagnostics.error(entry.spacing->place, "the layers of 'extrude' are like no edge",
                           "give them a law of their own");
-        return sweep;
     }
     if (const auto* tanh = std::get_if<TanhLaw>(&law)) sweep.law = *tanh;
     if (const auto* geometric = std::get_if<GeometricLaw>(&law)) sweep.law = *geometric;
     if (const auto* points = std::get_if<ExplicitLaw>(&law)) sweep.law = *points;
-    const std::string misfit = spacing_misfit(sweep.law, entry.cells.value, sweep.length);
-    if (!misfit.empty()) {
-        diagnostics.error(entry.spacing->place, "the spacing of 'extrude' does not fit: " + misfit);
-    }
     return sweep;
+}
+
+/// Sets the cells of a sweep that has its law, and checks that the law fits them.
+void count_layers(Network& network, const SweepEntry& entry, const std::string& what,
+                  const CountRules& rules, Sweep& sweep, Diagnostics& diagnostics) {
+    constexpr std::int64_t most = std::numeric_limits<int>::max() - 1;
+    sweep.single = entry.cells.value == 1;
+    const LayerCount layers = raise_layers(entry, rules, diagnostics);
+    if (layers.cells > most) {
+        diagnostics.error(entry.cells.place, fmt::format("'{}' has {}: more than a CGNS zone can "
+                                                         "hold",
+                                                         what, cells_text(layers.cells)));
+        return;
+    }
+    sweep.cells = static_cast<int>(layers.cells);
+    sweep.refinement = layers.refinement;
+    if (sweep.cells != entry.cells.value || rules.family) {
+        network.topology.adjusted_counts.push_back(
+            {sweep_layers, entry.cells.value, layers.asked, sweep.cells});
+    }
+    const std::string misfit =
+        spacing_misfit(sweep.law, sweep.cells / sweep.refinement, sweep.length);
+    if (!misfit.empty()) {
+        diagnostics.error(entry.spacing->place,
+                          fmt::format("the spacing of '{}' does not fit: {}", what, misfit));
+    }
 }
 
 /// Whether the images of an interface are images in every layer.
@@ -155,7 +179,8 @@ int find_boundary(const Topology& topology, const Name& name, Diagnostics& diagn
 
 }  // namespace
 
-void place_sweep(Network& network, const Case& c, Diagnostics& diagnostics) {
+void place_sweep(Network& network, const Case& c, const CountRules& rules,
+                 Diagnostics& diagnostics) {
     if (!c.sweep) return;
     const SweepEntry& entry = *c.sweep;
     const auto* turn = std::get_if<RotationEntry>(&entry.map);
@@ -168,7 +193,7 @@ void place_sweep(Network& network, const Case& c, Diagnostics& diagnostics) {
     }
     Sweep sweep = turn != nullptr ? revolution(network, entry, *turn, diagnostics)
                                   : extrusion(entry, std::get<Vec3>(entry.map), diagnostics);
-    sweep.cells = entry.cells.value;
+    count_layers(network, entry, what, rules, sweep, diagnostics);
     sweep.joined = entry.periodic || sweep.full_turn;
     check_periodic(network, sweep, diagnostics);
     network.topology.sweep = sweep;

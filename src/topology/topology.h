@@ -200,6 +200,9 @@ struct PeriodicInterface {
 struct Sweep {
     Periodicity whole;  ///< what carries the first plane, z = 0, onto the last
     int cells = 1;
+    bool single = false;  ///< one cell is asked for, and had at every level
+    int refinement = 1;   ///< cells of the solved level for each that the law is determined with
+    int stride = 1;       ///< and for each of this level
     SpacingLaw law;
     double length = 1;      ///< that the law is for
     bool reversed = false;  ///< k runs from the last plane to the first, for right-handed blocks
@@ -207,6 +210,9 @@ struct Sweep {
     bool joined = false;              ///< the two ends are, and have no boundary
     bool full_turn = false;           ///< they are the same plane
 };
+
+/// What stands for a sweep where counts of edges are listed; no edge can be called so.
+inline constexpr const char* sweep_layers = "layers of the sweep";
 
 /// What the names of zones and families of mirror images end in.
 inline constexpr const char* mirror_suffix = "_mirror";
@@ -218,10 +224,10 @@ struct MirrorCopy {
     bool families_apart = false;
 };
 
-/// The cells of an edge, and of those parallel to it, where they are others than the file says: for
-/// a level, for a multiple, or for the sums over the sides of a face.
+/// The cells of an edge, and of those parallel to it, or of a sweep, where they are others than the
+/// file says: for a level, for a multiple, or for the sums over the sides of a face.
 struct AdjustedCount {
-    std::string edge;
+    std::string edge;  ///< or `sweep_layers`
     int written = 0;   ///< as in the file
     double asked = 0;  ///< the same times the level's factor
     int got = 0;

@@ -2,11 +2,15 @@
 // Counts that are not as written: families of grids, and multiples.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/every_nth.h"
+#include "core/periodic_image.h"
 #include "io/cgns.h"
+#include "tests/commands/images.h"
 #include "tests/commands/program.h"
 
 using namespace hexweave;
@@ -23,21 +27,72 @@ bool same_bits(const PointField& a, const PointField& b) {
     return true;
 }
 
-/// Nodes of a zone at which its grid is not every second one of a finer grid's zone.
+/// The plane k of a grid.
+PointField plane_of(const PointField& points, int k) {
+    const Extent& extent = points.extent();
+    PointField plane({extent.ni, extent.nj, 1});
+    for (int j = 0; j < extent.nj; ++j) {
+        for (int i = 0; i < extent.ni; ++i) plane.set(i, j, 0, points(i, j, k));
+    }
+    return plane;
+}
+
+/// Checks that a grid is every second node of a finer one along each axis; along k every node where
+/// both are a sweep by one cell.
 void check_nested(const MultiblockGrid& coarse, const MultiblockGrid& fine) {
     REQUIRE(coarse.zones.size() == fine.zones.size());
+    const bool single = fine.zones[0].points.extent().nk == 2;
     for (std::size_t z = 0; z < fine.zones.size(); ++z) {
         INFO(fine.zones[z].name);
         CHECK(coarse.zones[z].name == fine.zones[z].name);
-        CHECK(same_bits(coarse.zones[z].points, every_nth(fine.zones[z].points, 2)));
+        const PointField& own = coarse.zones[z].points;
+        const PointField& finer = fine.zones[z].points;
+        for (int k = 0; single && k < 2; ++k) {
+            CHECK(same_bits(plane_of(own, k), every_nth(plane_of(finer, k), 2)));
+        }
+        if (!single) CHECK(same_bits(own, every_nth(finer, 2)));
     }
     REQUIRE(coarse.interfaces.size() == fine.interfaces.size());
     for (std::size_t i = 0; i < fine.interfaces.size(); ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            CHECK(2 * coarse.interfaces[i].box.end[axis] == fine.interfaces[i].box.end[axis]);
+            const int step = single && axis == 2 ? 1 : 2;
+            CHECK(step * coarse.interfaces[i].box.end[axis] == fine.interfaces[i].box.end[axis]);
         }
     }
     CHECK(coarse.patches.size() == fine.patches.size());
+}
+
+/// Grids of all levels of a config, each nested in the next and sound, its interfaces exact.
+std::vector<MultiblockGrid> nested_levels(const Scratch& scratch, const std::string& config,
+                                          const std::string& options = "") {
+    const Finished all = scratch.hexweave("run " + config +
+                                          ".yaml --level all -o g.cgns --json "
+                                          "all.json" +
+                                          options);
+    INFO(all.out << all.err);
+    REQUIRE(all.exit_code == 0);
+    std::vector<MultiblockGrid> grids;
+    const Json levels = Json::parse(scratch.read("all.json"))["levels"];
+    for (const Json& level : levels) {
+        const std::string name = level["level"]["name"];
+        INFO(name);
+        for (const Json& interface : level["interfaces"]) {
+            CHECK(interface["mismatched"] == 0);
+        }
+        grids.push_back(read_cgns(scratch.path() / ("g." + name + ".cgns")));
+        if (grids.size() > 1) check_nested(grids[grids.size() - 2], grids.back());
+    }
+    CHECK(grids.size() == 3);
+    return grids;
+}
+
+/// A good case of the tests, at levels and with one text put for another.
+void write_good(const Scratch& scratch, const std::string& name, const std::string& old = "",
+                const std::string& with = "") {
+    std::string text = slurp(HEXWEAVE_SOURCE_DIR "/tests/cases/good/" + name + ".yaml");
+    text.insert(text.find("hexweave: 1\n") + 12, "levels: {}\n");
+    if (!old.empty()) text.replace(text.find(old), old.size(), with);
+    scratch.write(name + ".yaml", text);
 }
 
 /// A shipped case with more keys.
@@ -231,4 +286,95 @@ boundaries:
     const Json report = Json::parse(scratch.read("run.json"))["report"];
     CHECK(report["zones"][0]["nodes"] == Json{41, 9, 1});
     CHECK(report["spacings"][3]["first_got"].get<double>() == Approx(0.01).epsilon(1e-9));
+}
+
+TEST_CASE("layers of a revolution follow the levels, to the bit") {
+    const Scratch scratch;
+    write_good(scratch, "revolved_channel");
+    const auto grids = nested_levels(scratch, "revolved_channel");
+    for (std::size_t n = 0; n < 3; ++n) {
+        CHECK(grids[n].zones[0].points.extent().nk == (4 << n) + 1);
+    }
+    const Finished check = scratch.hexweave("check revolved_channel.yaml --level coarse");
+    CHECK(check.out.find("through [0, 0], 4 cells, from bottom to side\n") != std::string::npos);
+}
+
+TEST_CASE("layers are raised to what the levels and multiples need, visibly") {
+    const Scratch scratch;
+    write_good(scratch, "revolved_channel", "cells: 8, start: bottom", "cells: 7, start: bottom");
+    const auto grids = nested_levels(scratch, "revolved_channel");
+    CHECK(grids[1].zones[0].points.extent().nk == 9);
+    const Finished check = scratch.hexweave("check revolved_channel.yaml --json check.json");
+    CHECK(check.out.find("  layers of the sweep               7          7          8\n") !=
+          std::string::npos);
+    const Json list = Json::parse(scratch.read("check.json"))["grids"][0]["adjusted_counts"];
+    REQUIRE(list.size() == 1);
+    CHECK(list[0]["edge"] == "layers of the sweep");
+    CHECK(list[0]["got"] == 8);
+}
+
+TEST_CASE("layers of an extrusion keep their law, and a mirrored grid its image, at every level") {
+    const Scratch scratch;
+    write_good(scratch, "extruded_bump", "along: [0, 0, 0.1],",
+               "along: [0, 0, 0.1], cells: 6, spacing: {start: 0.004},");
+    const auto grids = nested_levels(scratch, "extruded_bump");
+    const PointField& medium = grids[1].zones[0].points;
+    REQUIRE(medium.extent().nk == 7);
+    CHECK(medium.z(0, 0, 1) == Approx(0.004).epsilon(1e-9));
+    for (const MultiblockGrid& grid : grids) {
+        const PointField& own = grid.zones[0].points;
+        const PointField& image = grid.zones[1].points;
+        CHECK(image.extent().nk == own.extent().nk);
+        CHECK(image.z(0, 0, 1) == own.z(0, 0, 1));
+    }
+}
+
+TEST_CASE("a sweep by one cell is one cell at every level") {
+    const Scratch scratch;
+    write_good(scratch, "extruded_bump");
+    for (const MultiblockGrid& grid : nested_levels(scratch, "extruded_bump")) {
+        CHECK(grid.zones[0].points.extent().nk == 2);
+    }
+    const Finished check = scratch.hexweave("check extruded_bump.yaml --level fine");
+    CHECK(check.out.find("translation [0, 0, 0.1], 1 cell at every level, from slices") !=
+          std::string::npos);
+}
+
+TEST_CASE("at a factor of 1.5 layers are scaled and raised to whole ones") {
+    const Scratch scratch;
+    std::string text = slurp(HEXWEAVE_SOURCE_DIR "/tests/cases/good/extruded_bump.yaml");
+    text.insert(text.find("hexweave: 1\n") + 12, "levels: {factor: 1.5}\n");
+    text.replace(text.find("along: [0, 0, 0.1],"), 19,
+                 "along: [0, 0, 0.1], cells: 5, spacing: {start: 0.006},");
+    scratch.write("bump.yaml", text);
+    CHECK(scratch.hexweave("run bump.yaml --level fine").exit_code == 0);
+    const PointField fine = read_cgns(scratch.path() / "bump.fine.cgns").zones[0].points;
+    CHECK(fine.extent().nk == 9);  // of 7.5
+    CHECK(fine.z(0, 0, 1) == Approx(0.004).epsilon(1e-9));
+}
+
+TEST_CASE("periodic sides are exact images at every level") {
+    const Scratch scratch;
+    const double pitch = 2 * std::numbers::pi / 18;
+    for (const auto& [name, periodicity] :
+         {std::pair("periodic_channel", Periodicity{{}, {}, {0, 0.7, 0}}),
+          std::pair("annular_sector", Periodicity{{}, {pitch, 0, 0}, {}})}) {
+        write_good(scratch, name);
+        for (const MultiblockGrid& grid : nested_levels(scratch, name)) {
+            int periodic = 0;
+            for (const Interface& interface : grid.interfaces) {
+                if (!interface.periodic) continue;
+                ++periodic;
+                CHECK(not_images(grid, interface, periodic_map(periodicity)) == 0);
+            }
+            CHECK(periodic == 2);
+        }
+    }
+}
+
+TEST_CASE("instances of a component are nested at every level") {
+    const Scratch scratch;
+    write_with(scratch, "cascade.yaml", "levels: {}");
+    const auto grids = nested_levels(scratch, "cascade", " --set cells=12");
+    CHECK(grids[0].zones.size() == 30);
 }

@@ -74,6 +74,17 @@ TEST_CASE("the ends of a sweep have boundaries, or are told to have none") {
     CHECK_THAT(faults(square("", low + ends)), Contains("boundary 'ends' lacks the key 'sides'"));
 }
 
+TEST_CASE("listed layers are those of the level medium") {
+    const std::string listed =
+        "extrude: {along: [0, 0, 1], cells: 2, spacing: {positions: [0, 0.3, 1]}, " + named_ends;
+    CHECK(faults(square(listed, low + ends)).empty());
+    CHECK_THAT(faults(square(listed + "\nlevels: {}", low + ends)),
+               Contains("the sweep lists its points, which are those of the level 'medium' only") &&
+                   Contains("give a formula in t"));
+    CHECK_THAT(faults(square(listed + "\nmultiple_of: 3", low + ends)),
+               Contains("the sweep lists the points of 2 cells, which is not a multiple of 3"));
+}
+
 TEST_CASE("the layers of an extrusion have a law that fits") {
     const std::string law = "extrude: {along: [0, 0, 1], cells: 4, spacing: ";
     CHECK(faults(square(law + "{start: 0.1}, " + named_ends, low + ends)).empty());
