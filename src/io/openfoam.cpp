@@ -73,13 +73,32 @@ void write_faces(const PolyMesh& mesh, const std::filesystem::path& path) {
     file.close();
 }
 
+std::string vector_text(const Vec3& v) {
+    return fmt::format("({} {} {})", v.x + 0.0, v.y + 0.0, v.z + 0.0);  // no -0
+}
+
+std::string cyclic_text(const CyclicHalf& cyclic) {
+    const std::string neighbour = fmt::format("        neighbourPatch {};\n", cyclic.neighbour);
+    if (cyclic.axis == Vec3{}) {
+        return neighbour +
+               fmt::format("        transform translational;\n        separationVector {};\n",
+                           vector_text(cyclic.separation));
+    }
+    return neighbour + fmt::format(
+                           "        transform rotational;\n        rotationAxis {};\n"
+                           "        rotationCentre {};\n",
+                           vector_text(cyclic.axis), vector_text(cyclic.centre));
+}
+
 void write_boundary(const PolyMesh& mesh, const std::filesystem::path& path) {
     FoamFile file(path, "polyBoundaryMesh", "boundary");
     file.add("{}\n(\n", mesh.patches.size());
     for (const PolyPatch& patch : mesh.patches) {
         file.add(
-            "    {}\n    {{\n        type {};\n        nFaces {};\n        startFace {};\n    }}\n",
-            patch.name, patch.type, patch.count, patch.begin);
+            "    {}\n    {{\n        type {};\n        nFaces {};\n        startFace {};\n{}    "
+            "}}\n",
+            patch.name, patch.type, patch.count, patch.begin,
+            patch.cyclic ? cyclic_text(*patch.cyclic) : "");
     }
     file.add(")\n");
     file.close();

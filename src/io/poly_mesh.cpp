@@ -62,7 +62,9 @@ struct BoundaryFace {
 class Builder {
 public:
     explicit Builder(const MultiblockGrid& grid)
-        : grid_(grid), numbering_(number_points(grid)), links_(link_sides(grid)) {}
+        : grid_(grid), numbering_(number_points(grid)), links_(link_sides(grid)) {
+        for (const Zone& zone : grid.zones) reversed_.push_back(is_left_handed(zone.points));
+    }
 
     PolyMesh build() {
         mesh_.points = numbering_.points;
@@ -70,6 +72,7 @@ public:
         mesh_.face_begin.push_back(0);
         for (std::size_t zone = 0; zone < grid_.zones.size(); ++zone) add_zone(zone);
         add_boundary();
+        for (const CyclicPair& pair : cyclic_pairs(grid_)) add_cyclic(pair);
         if (mesh_.owner.size() > std::numeric_limits<std::int32_t>::max()) {
             throw UsageError("an OpenFOAM mesh cannot hold this grid: it has too many faces");
         }
@@ -85,7 +88,6 @@ private:
 
     void add_zone(std::size_t zone) {
         const Extent& extent = grid_.zones[zone].points.extent();
-        reversed_ = is_left_handed(grid_.zones[zone].points);
         std::int32_t cell = links_.first_cell[zone];
         for (int k = 0; k + 1 < extent.nk; ++k) {
             for (int j = 0; j + 1 < extent.nj; ++j) {
@@ -95,12 +97,14 @@ private:
     }
 
     void add_cell(std::size_t zone, const Node& n, std::int32_t cell) {
+        const auto none = static_cast<std::int32_t>(grid_.families.size());
         std::array<Behind, 6> inner{};
         std::size_t count = 0;
         for (const Side side : all_sides) {
             const SideLink link = links_.behind(zone, n, side);
             if (link.is_boundary) {
-                boundary_.push_back({link.index, cell, corners(zone, n, side)});
+                if (link.index > none) continue;
+                boundary_.push_back({link.index, cell, points_at(zone, corners(zone, n, side))});
             } else if (link.index > cell) {
                 std::size_t at = count++;
                 for (; at > 0 && inner[at - 1].neighbour > link.index; --at) {
@@ -110,21 +114,28 @@ private:
             }
         }
         for (std::size_t f = 0; f < count; ++f) {
-            if (add_face(corners(zone, n, inner[f].side), cell)) {
+            if (add_face(points_at(zone, corners(zone, n, inner[f].side)), cell)) {
                 mesh_.neighbour.push_back(inner[f].neighbour);
             }
         }
     }
 
-    std::array<std::int32_t, 4> corners(std::size_t zone, const Node& n, Side side) const {
-        std::array<std::int32_t, 4> points{};
-        const std::array<Node, 4> offsets = side_corners(side);
-        for (std::size_t c = 0; c < 4; ++c) {
-            points[c] =
-                numbering_.at(zone, grid_.zones[zone].points.extent(),
-                              {n[0] + offsets[c][0], n[1] + offsets[c][1], n[2] + offsets[c][2]});
+    /// The nodes round a side of a cell, the normal out of the cell.
+    std::array<Node, 4> corners(std::size_t zone, const Node& n, Side side) const {
+        std::array<Node, 4> nodes = side_corners(side);
+        for (Node& node : nodes) {
+            for (std::size_t axis = 0; axis < 3; ++axis) node[axis] += n[axis];
         }
-        if (reversed_) std::reverse(points.begin() + 1, points.end());
+        if (reversed_[zone]) std::reverse(nodes.begin() + 1, nodes.end());
+        return nodes;
+    }
+
+    std::array<std::int32_t, 4> points_at(std::size_t zone,
+                                          const std::array<Node, 4>& nodes) const {
+        std::array<std::int32_t, 4> points{};
+        for (std::size_t c = 0; c < 4; ++c) {
+            points[c] = numbering_.at(zone, grid_.zones[zone].points.extent(), nodes[c]);
+        }
         return points;
     }
 
@@ -166,6 +177,46 @@ private:
         }
     }
 
+    /// The pair of patches: face by face the one half and its image, which begins with the image of
+    /// the first point and goes round the other way.
+    void add_cyclic(const CyclicPair& pair) {
+        std::array<CyclicHalf, 2> halves = cyclic_halves(pair, metres_in(grid_.units));
+        std::array<PolyPatch, 2> patches;
+        for (std::size_t half = 0; half < 2; ++half) {
+            PolyPatch& patch = patches[half];
+            patch.begin = mesh_.owner.size();
+            for (const std::size_t interface : pair.interfaces) {
+                add_cyclic_faces(interface,
+                                 (half == 1) != runs_back(pair, grid_.interfaces[interface]));
+            }
+            patch.count = mesh_.owner.size() - patch.begin;
+            patch.type = "cyclic";
+            patch.name = patch_name(pair.name + (half == 0 ? "_from" : "_to"), mesh_.patches);
+        }
+        if (patches[0].count == 0) return;
+        for (std::size_t half = 0; half < 2; ++half) {
+            halves[half].neighbour = patches[1 - half].name;
+            patches[half].cyclic = halves[half];
+            mesh_.patches.push_back(patches[half]);
+        }
+    }
+
+    void add_cyclic_faces(std::size_t index, bool images) {
+        const Interface interface = forwards(grid_.interfaces[index]);
+        const auto zone = static_cast<std::size_t>(interface.zone);
+        const auto donor = static_cast<std::size_t>(interface.donor);
+        for (const CyclicFace& face : links_.cyclic[index]) {
+            std::array<Node, 4> nodes = corners(zone, face.cell, face.side);
+            if (!images) {
+                add_face(points_at(zone, nodes), links_.cell(zone, face.cell));
+                continue;
+            }
+            for (Node& node : nodes) node = donor_node(interface, node);
+            std::reverse(nodes.begin() + 1, nodes.end());
+            add_face(points_at(donor, nodes), links_.cell(donor, face.donor));
+        }
+    }
+
     inline static const Family no_family{"defaultFaces", "patch"};
 
     const MultiblockGrid& grid_;
@@ -173,7 +224,7 @@ private:
     SideLinks links_;
     PolyMesh mesh_;
     std::vector<BoundaryFace> boundary_;
-    bool reversed_ = false;
+    std::vector<bool> reversed_;  ///< by zone
 };
 
 }  // namespace

@@ -70,7 +70,8 @@ public:
     }
 
     SideLinks link() {
-        for (const Interface& interface : grid_.interfaces) join(forwards(interface));
+        links_.cyclic.resize(grid_.interfaces.size());
+        for (std::size_t n = 0; n < grid_.interfaces.size(); ++n) join(n);
         for (const BoundaryPatch& patch : grid_.patches) bound(patch);
         const auto no_family = static_cast<std::int32_t>(grid_.families.size());
         for (auto& sides : links_.sides) {
@@ -116,7 +117,8 @@ private:
         }
     }
 
-    void join(const Interface& interface) {
+    void join(std::size_t index) {
+        const Interface interface = forwards(grid_.interfaces[index]);
         const std::string what = fmt::format("interface '{}'", interface.name);
         const auto zone = static_cast<std::size_t>(interface.zone);
         const auto donor = static_cast<std::size_t>(interface.donor);
@@ -126,6 +128,13 @@ private:
             const Node own = cell_between(a, b, side);
             const Node other =
                 cell_between(donor_node(interface, a), donor_node(interface, b), other_side);
+            if (interface.periodic) {
+                const auto periodic = static_cast<std::int32_t>(grid_.families.size()) + 1;
+                set(interface.zone, side, own, {true, periodic}, what);
+                set(interface.donor, other_side, other, {true, periodic}, what);
+                links_.cyclic[index].push_back({own, side, other});
+                return;
+            }
             if (zone == donor && own == other) {
                 cannot_hold(fmt::format("{} joins a cell to itself", what));
             }

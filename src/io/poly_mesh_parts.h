@@ -30,14 +30,23 @@ struct PointNumbering {
 
 PointNumbering number_points(const MultiblockGrid& grid);
 
-/// A cell, or the boundary of a family (one past the last family: of none).
+/// A cell, or the boundary of a family (one past the last family: of none; two past it: of a
+/// periodic interface).
 struct SideLink {
     bool is_boundary = false;
     std::int32_t index = 0;
 };
 
+/// A side of a cell in a periodic interface, and the cell that has the image of this side.
+struct CyclicFace {
+    Node cell{};  ///< of the interface's own zone
+    Side side = Side::imin;
+    Node donor{};
+};
+
 struct SideLinks {
     std::size_t cells = 0;
+    std::vector<std::vector<CyclicFace>> cyclic;              ///< by interface
     std::vector<std::int32_t> first_cell;                     ///< of each zone
     std::vector<Extent> extents;                              ///< of each zone, in cells
     std::vector<std::array<std::vector<SideLink>, 6>> sides;  ///< per zone and side, cell by cell
@@ -48,6 +57,26 @@ struct SideLinks {
 };
 
 SideLinks link_sides(const MultiblockGrid& grid);
+
+/// Periodic interfaces that one map, or its inverse, belongs to: they make one pair of patches.
+struct CyclicPair {
+    std::string name;
+    Periodicity periodicity;              ///< as the interfaces say
+    std::vector<std::size_t> interfaces;  ///< of the grid
+    Periodicity exact{};                  ///< as their nodes lie
+};
+
+/// Throws UsageError for a map that turns and moves.
+std::vector<CyclicPair> cyclic_pairs(const MultiblockGrid& grid);
+
+/// The two halves of a pair: from the one to the other, and back.
+std::array<CyclicHalf, 2> cyclic_halves(const CyclicPair& pair, double metres);
+
+/// Metres in a unit of length; 1 when it is not known.
+double metres_in(const std::string& unit);
+
+/// Whether the interface's own side belongs to the second half of the pair.
+bool runs_back(const CyclicPair& pair, const Interface& interface);
 
 /// The name as a word of OpenFOAM, not yet among `taken`.
 std::string patch_name(const std::string& family, const std::vector<PolyPatch>& taken);

@@ -7,6 +7,7 @@
 
 #include "core/errors.h"
 #include "core/interface_sides.h"
+#include "core/periodic_image.h"
 #include "io/poly_mesh_parts.h"
 
 namespace hexweave {
@@ -17,15 +18,6 @@ constexpr double widest_gap = 0.01;
 
 [[noreturn]] void cannot_hold(const std::string& fact) {
     throw UsageError(fmt::format("an OpenFOAM mesh cannot hold this grid: {}", fact));
-}
-
-/// Metres in a unit of length; 1 when it is not known.
-double metres(const std::string& unit) {
-    if (unit == "mm") return 0.001;
-    if (unit == "cm") return 0.01;
-    if (unit == "in") return 0.0254;
-    if (unit == "ft") return 0.3048;
-    return 1;
 }
 
 /// Sets of nodes that are one point, each known by its first node.
@@ -78,19 +70,18 @@ public:
         : grid_(grid), first_node_(first_node), sets_(sets) {}
 
     void join(const Interface& interface) {
-        if (interface.periodic) {
-            cannot_hold(fmt::format("interface '{}' is periodic, which is not written yet",
-                                    interface.name));
-        }
         const PointField& own = points(interface.zone);
         const PointField& other = points(interface.donor);
+        const PeriodicMap map = periodic_map(interface.periodic.value_or(Periodicity{}));
         for_each_node(interface.box, [&](const Node& n) {
             const Node m = donor_node(interface, n);
-            const double gap = distance(own(n[0], n[1], n[2]), other(m[0], m[1], m[2]));
+            const Vec3 here = image(map, own(n[0], n[1], n[2]));
+            const double gap = distance(here, other(m[0], m[1], m[2]));
             if (gap > 0 && !(gap <= widest_gap * shortest_edge(own, n))) {
                 cannot_hold(fmt::format("interface '{}' joins points that lie {:.3g} apart",
                                         interface.name, gap));
             }
+            if (interface.periodic) return;
             sets_.unite(number(interface.zone, n), number(interface.donor, m));
         });
     }
@@ -194,7 +185,7 @@ PointNumbering number_points(const MultiblockGrid& grid) {
     for (std::size_t zone = 0; zone < grid.zones.size(); ++zone) {
         joiner.collapse(static_cast<int>(zone));
     }
-    const double scale = metres(grid.units);
+    const double scale = metres_in(grid.units);
     numbering.point_of_node.resize(nodes);
     std::int32_t node = 0;
     for (const Zone& zone : grid.zones) {

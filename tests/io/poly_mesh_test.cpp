@@ -3,11 +3,14 @@
 // order, positive volumes, one region, patches of the right size.
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 
 #include "core/errors.h"
+#include "core/periodic_image.h"
 #include "io/cgns_samples.h"
 #include "io/openfoam.h"
 #include "io/poly_mesh.h"
@@ -83,7 +86,7 @@ void check_order(const PolyMesh& mesh) {
     for (const PolyPatch& patch : mesh.patches) {
         CHECK(patch.begin == next);
         next += patch.count;
-        for (std::size_t face = patch.begin + 1; face < next; ++face) {
+        for (std::size_t face = patch.begin + 1; face < next && !patch.cyclic; ++face) {
             CHECK(mesh.owner[face - 1] <= mesh.owner[face]);
         }
     }
@@ -223,6 +226,104 @@ TEST_CASE("A collapsed side leaves prisms") {
     CHECK(make_poly_mesh(grid).patches[0].type == "symmetry");
 }
 
+namespace {
+
+/// Points of the mesh that are not where the other half of their patch has them, as OpenFOAM pairs
+/// faces: in order, first point to first point, round the other way.
+int points_out_of_place(const PolyMesh& mesh, const PolyPatch& half, const PeriodicMap& map) {
+    const PolyPatch& other = patch_of(mesh, half.cyclic->neighbour);
+    REQUIRE(other.count == half.count);
+    int wrong = 0;
+    for (std::size_t n = 0; n < half.count; ++n) {
+        const auto own = points_of(mesh, half.begin + n);
+        const auto images = points_of(mesh, other.begin + n);
+        REQUIRE(images.size() == own.size());
+        for (std::size_t p = 0; p < own.size(); ++p) {
+            const std::size_t opposite = (own.size() - p) % own.size();
+            const Vec3 there = mesh.points[static_cast<std::size_t>(images[opposite])];
+            const Vec3 here = mesh.points[static_cast<std::size_t>(own[p])];
+            wrong += distance(image(map, here), there) > 1e-12 ? 1 : 0;
+        }
+    }
+    return wrong;
+}
+
+/// A quarter ring of 2 x 3 x 4 cells, or half of one, about z, whose ends j are joined; from the
+/// axis itself where the inner radius is 0.
+MultiblockGrid sector(double angle, double inner) {
+    MultiblockGrid grid = box(false);
+    PointField& points = grid.zones[0].points;
+    for (int k = 0; k < 5; ++k) {
+        for (int j = 0; j < 4; ++j) {
+            const PeriodicMap turn = periodic_map({{}, {0, 0, angle * j / 3}, {}});
+            for (int i = 0; i < 3; ++i) points.set(i, j, k, image(turn, {inner + i, 0, 1.0 * k}));
+        }
+    }
+    const Extent extent = points.extent();
+    grid.interfaces = {{"blade-a",
+                        0,
+                        side_box(Side::jmin, extent),
+                        0,
+                        side_box(Side::jmax, extent),
+                        {},
+                        Periodicity{{}, {0, 0, angle}, {}}}};
+    return grid;
+}
+
+}  // namespace
+
+TEST_CASE("The two halves of a rotation are patches whose faces correspond") {
+    for (const double inner : {1.0, 0.0}) {
+        for (const double angle : {0.5 * std::numbers::pi, std::numbers::pi, -0.3}) {
+            const MultiblockGrid grid = sector(angle, inner);
+            const PolyMesh mesh = make_poly_mesh(grid);
+            check_sound(mesh);
+            const PolyPatch& from = patch_of(mesh, "blade_from");
+            CHECK(from.type == "cyclic");
+            CHECK(from.count == 8);
+            CHECK(patch_of(mesh, "blade_to").cyclic->neighbour == "blade_from");
+            CHECK(norm(from.cyclic->axis) == Approx(1));
+            CHECK(std::abs(from.cyclic->axis.z) == Approx(1));
+            CHECK(points_out_of_place(mesh, from, periodic_map(*grid.interfaces[0].periodic)) == 0);
+        }
+    }
+}
+
+TEST_CASE("Interfaces of one translation are one pair of patches, whichever way they are told") {
+    MultiblockGrid grid = box(false);
+    grid.units = "mm";
+    const Extent extent = grid.zones[0].points.extent();
+    const Vec3 way{2, 0, 0};
+    IndexBox low = side_box(Side::imin, extent);
+    IndexBox high = side_box(Side::imax, extent);
+    low.end[1] = high.end[1] = 1;
+    grid.interfaces.push_back({"pitch-low", 0, low, 0, high, {}, Periodicity{{}, {}, way}});
+    low.begin[1] = high.begin[1] = 1;
+    low.end[1] = high.end[1] = 3;
+    grid.interfaces.push_back({"pitch-high", 0, high, 0, low, {}, Periodicity{{}, {}, -1 * way}});
+    const PolyMesh mesh = make_poly_mesh(grid);
+    check_sound(mesh);
+    REQUIRE(mesh.patches.size() == 3);
+    const PolyPatch& from = patch_of(mesh, "pitch_from");
+    CHECK(from.count == 12);
+    CHECK(from.cyclic->separation == Vec3{0.002, 0, 0});
+    CHECK(patch_of(mesh, "pitch_to").cyclic->separation == Vec3{-0.002, 0, 0});
+    CHECK(points_out_of_place(mesh, from, periodic_map({{}, {}, {0.002, 0, 0}})) == 0);
+}
+
+TEST_CASE("A translation in single precision is told as the nodes lie") {
+    MultiblockGrid grid = box(false);
+    const Extent extent = grid.zones[0].points.extent();
+    grid.interfaces = {{"pitch",
+                        0,
+                        side_box(Side::imin, extent),
+                        0,
+                        side_box(Side::imax, extent),
+                        {},
+                        Periodicity{{}, {}, {2 + 1e-7, 0, 0}}}};
+    CHECK(patch_of(make_poly_mesh(grid), "pitch_from").cyclic->separation == Vec3{2, 0, 0});
+}
+
 TEST_CASE("Names of patches are words, each of its own") {
     MultiblockGrid grid = box(false);
     const Extent extent = grid.zones[0].points.extent();
@@ -252,6 +353,12 @@ TEST_CASE("What no mesh can hold is refused") {
     MultiblockGrid twice = joined_pair(3, 3, Orientation{});
     twice.patches.push_back(twice.patches[0]);
     CHECK_THAT(refused(twice), Contains("covers a part of side"));
+    MultiblockGrid screw = sector(1, 1);
+    screw.interfaces[0].periodic->translation = {0, 0, 1e-9};
+    CHECK_THAT(refused(screw), Contains("'blade-a' both turns and moves"));
+    MultiblockGrid off = sector(1, 1);
+    off.interfaces[0].periodic->angle.z = 0.9;
+    CHECK_THAT(refused(off), Contains("'blade-a' joins points that lie 0.1 apart"));
     MultiblockGrid inside = joined_pair(3, 3, Orientation{});
     inside.patches[0].box = {{1, 0, 0}, {1, 3, 4}};
     CHECK_THAT(refused(inside), Contains("lies in no side"));
@@ -272,4 +379,11 @@ TEST_CASE("The five files hold the mesh as OpenFOAM writes it") {
     CHECK_THAT(contents(paths[3]), Contains("\n46\n(\n1\n2\n6\n"));
     CHECK_THAT(contents(paths[4]), Contains("hull\n    {\n        type wall;\n        nFaces 6;\n"
                                             "        startFace 46;\n"));
+    write_poly_mesh(make_poly_mesh(sector(1, 1)), paths);
+    CHECK_THAT(contents(paths[4]),
+               Contains("blade_to\n    {\n        type cyclic;\n        nFaces 8;\n") &&
+                   Contains("        neighbourPatch blade_from;\n"
+                            "        transform rotational;\n"
+                            "        rotationAxis (0 0 1);\n"
+                            "        rotationCentre (0 0 0);\n    }\n"));
 }
