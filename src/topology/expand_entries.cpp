@@ -17,9 +17,21 @@ namespace {
 constexpr int most_repeated = 100'000;  ///< entries that repetition may make of a case
 constexpr double largest_index = 1e6;
 
+/// What an entry that is left out would use is not told to be unused.
+void count_as_used(Reading& reading, const YamlNode& node) {
+    if (node.is_scalar()) {
+        for (const std::string& name : names_in(node.text)) {
+            parameters_at(reading, node).used.insert(name);
+        }
+    }
+    for (const YamlNode& child : node.children) count_as_used(reading, child);
+}
+
 bool is_wanted(Reading& reading, const YamlNode& entry) {
     const YamlNode* when = entry.is_mapping() ? entry.find("when") : nullptr;
-    return when == nullptr || read_number(reading, *when, "'when'").value_or(0) != 0;
+    if (when == nullptr || read_number(reading, *when, "'when'").value_or(0) != 0) return true;
+    count_as_used(reading, entry);
+    return false;
 }
 
 std::optional<int> read_whole(Reading& reading, const YamlNode& node, const std::string& what) {

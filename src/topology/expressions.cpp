@@ -10,6 +10,7 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -187,6 +188,18 @@ std::variant<std::shared_ptr<CopiesForThreads>, ExpressionFault> compile_copies(
 }
 
 }  // namespace
+
+std::vector<std::string> names_in(const std::string& text) {
+    static constexpr std::string_view letters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+    std::vector<std::string> names;
+    for (std::size_t begin = text.find_first_of(letters); begin != std::string::npos;) {
+        const std::size_t end = std::min(text.find_first_not_of(letters, begin), text.size());
+        names.push_back(text.substr(begin, end - begin));
+        begin = text.find_first_of(letters, end);
+    }
+    return names;
+}
 
 std::variant<double, ExpressionFault> evaluate(const std::string& text, ParameterScope& scope) {
     if (const std::optional<double> number = plain_number(text)) return *number;

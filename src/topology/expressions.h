@@ -35,6 +35,9 @@ struct ExpressionFault {
     std::size_t length = 1;
 };
 
+/// The names in a text, whether or not it is an expression.
+std::vector<std::string> names_in(const std::string& text);
+
 /// The value, always finite, or the fault.
 std::variant<double, ExpressionFault> evaluate(const std::string& text, ParameterScope& scope);
 

@@ -20,7 +20,6 @@ namespace {
 /// Files that are being merged, by their one true path, with where each was first named.
 struct Merge {
     Reading& reading;
-    const std::vector<Override>& overrides;
     std::map<std::filesystem::path, Place> files;
 };
 
@@ -115,7 +114,8 @@ bool is_wanted(Merge& merge, const YamlNode& when, const YamlNode& root) {
     Diagnostics told_later;
     Reading own{told_later, reading.source};
     own.replaced = reading.replaced;
-    read_parameters(own, root.find("parameters"), merge.overrides);
+    own.overrides = reading.overrides;
+    read_parameters(own, root.find("parameters"));
     Diagnostics faults;
     Reading condition{faults, reading.source};
     condition.parameters = own.parameters;
@@ -227,8 +227,8 @@ YamlNode merged(Merge& merge, YamlNode root) {
 
 }  // namespace
 
-YamlNode merge_includes(Reading& reading, YamlNode root, const std::vector<Override>& overrides) {
-    Merge merge{reading, overrides, {}};
+YamlNode merge_includes(Reading& reading, YamlNode root) {
+    Merge merge{reading, {}};
     return merged(merge, std::move(root));
 }
 

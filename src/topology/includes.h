@@ -12,9 +12,9 @@ namespace hexweave {
 /// The tree of a file with all that it includes, directly or not, before its own entries. Every
 /// place in an included file says who includes it. Told are files that cannot be read or are
 /// included twice, names that two files define, and sections that can stand only once. Notes in
-/// `reading` the files and the parameters that they are given; `overrides` count for the conditions
-/// of includes, which may use the parameters of the file that they stand in.
-YamlNode merge_includes(Reading& reading, YamlNode root, const std::vector<Override>& overrides);
+/// `reading` the files and the parameters that they are given. The conditions of includes may use
+/// the parameters of the file that they stand in, as overridden.
+YamlNode merge_includes(Reading& reading, YamlNode root);
 
 /// Whether the file is of the one format that there is.
 bool check_version(Reading& reading, const YamlNode& root);

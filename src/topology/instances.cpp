@@ -11,8 +11,8 @@
 
 #include "topology/expand_entries.h"
 #include "topology/includes.h"
+#include "topology/instance_parameters.h"
 #include "topology/instance_scope.h"
-#include "topology/read_parameters.h"
 #include "topology/read_transforms.h"
 
 namespace hexweave {
@@ -95,50 +95,6 @@ void read_place_of_instance(Reading& reading, const YamlNode& instance, const st
                                   "an instance is scaled by one number, and its cells with it; "
                                   "let parameters of the component stretch its shape");
         return;
-    }
-}
-
-/// Computes the parameters of an instance: by `set`, else by the component's own expression.
-void set_parameters(Reading& reading, const YamlNode& instance, const YamlNode& component,
-                    const std::string& what, InstanceScope& scope) {
-    const YamlNode* section = component.find("parameters");
-    const YamlNode* set = find(reading, instance, "set");
-    Keys known;
-    if (section != nullptr) {
-        for (const YamlNode& node : section->children) known.emplace_back(node.key);
-    }
-    if (set != nullptr && !set->is_mapping()) {
-        reading.diagnostics.error(
-            set->place,
-            fmt::format("'set' must be a mapping of parameters, not {}", describe(*set)));
-        set = nullptr;
-    }
-    for (std::size_t n = 0; set != nullptr && n < set->children.size(); ++n) {
-        const YamlNode& value = set->children[n];
-        if (std::find(known.begin(), known.end(), value.key) != known.end()) continue;
-        reading.diagnostics.error(
-            value.key_place, fmt::format("unknown parameter '{}' of {}", shown(value.key), what),
-            known.empty() ? "its component has no parameters"
-                          : suggestion(value.key, known, "its parameters are"));
-    }
-    if (section == nullptr) return;
-    for (const YamlNode& node : section->children) scope.parameters.later.insert(node.key);
-    for (const YamlNode& node : section->children) {
-        check_parameter_name(reading, node);
-        const YamlNode* given = set == nullptr ? nullptr : set->find(node.key);
-        const bool lacking = given == nullptr && node.is_scalar() && node.text == "required";
-        std::optional<double> value;
-        if (lacking) {
-            Diagnostic& d = reading.diagnostics.error(
-                instance.key_place, fmt::format("{} must set the parameter '{}'", what, node.key),
-                fmt::format("write set: {{{}: ...}}", node.key));
-            d.notes.push_back({node.key_place, "it has no default"});
-        } else {
-            value = read_number(reading, given != nullptr ? *given : node,
-                                fmt::format("parameter '{}'", shown(node.key)));
-        }
-        scope.parameters.values[node.key] = value;
-        scope.parameters.later.erase(node.key);
     }
 }
 
@@ -274,7 +230,8 @@ void instantiate(Expansion& all, const YamlNode& instance) {
     mark_used_by(copy, std::make_shared<const Note>(
                            Note{instance.key_place, fmt::format("in {}, written here", what)}));
     set_scope(copy, scope);
-    set_parameters(reading, instance, copy, what, *scope);
+    all.found.names.insert(full);
+    set_parameters(reading, instance, copy, what, scope, all.found.parameters);
     expand_entries(reading, copy);
     read_ports(all, copy, scope);
     read_joins(all, instance, what, scope);

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "topology/case.h"
+#include "topology/instance_parameters.h"
 #include "topology/read_values.h"
 
 namespace hexweave {
@@ -24,6 +26,8 @@ struct PortJoin {
 };
 
 struct Instances {
+    std::set<std::string> names;  ///< qualified
+    std::vector<InstanceParameter> parameters;
     Ports ports;
     std::vector<PortJoin> joins;
 };

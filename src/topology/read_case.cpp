@@ -11,6 +11,7 @@
 #include "topology/includes.h"
 #include "topology/instances.h"
 #include "topology/join_ports.h"
+#include "topology/overrides.h"
 #include "topology/place_instances.h"
 #include "topology/read_entries.h"
 #include "topology/read_gates.h"
@@ -85,6 +86,14 @@ void read_solver(Reading& reading, const YamlNode& root, SolverEntry& solver) {
     solver.flat_edge_exponent = read_flat_edge_exponent(reading, *node);
 }
 
+/// Those of instances are recorded under their qualified names.
+void append_parameters(std::vector<Parameter>& parameters,
+                       const std::vector<InstanceParameter>& of_instances) {
+    for (const InstanceParameter& p : of_instances) {
+        parameters.push_back({{p.scope->prefix + p.name, p.place}, p.value, p.overridden});
+    }
+}
+
 template <class Entry>
 void read_into(std::vector<Entry>& entries, Reading& reading, const YamlNode& root,
                std::string_view key, std::vector<Entry> (*read)(Reading&, const YamlNode&)) {
@@ -109,15 +118,17 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
         return c;
     }
     if (!check_version(reading, *root)) return c;
-    root = merge_includes(reading, std::move(*root), overrides);
+    note_overrides(reading, overrides);
+    root = merge_includes(reading, std::move(*root));
     c.provenance = provenance_of(reading, overrides);
     reserve_sections(*root);
     expect_mapping(reading, *root, "a case", "case");
     read_title_and_units(reading, *root, c);
     reading.units = c.units;
-    c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"), overrides);
+    c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"));
     expand_entries(reading, *root);
     const Instances instances = expand_instances(reading, *root);
+    tell_unknown_overrides(reading, c.parameters, instances);
     const YamlNode* curves = section_of(reading, *root, "curves");
     read_shapes(reading, curves, section_of(reading, *root, "surfaces"), c);
     read_into(c.vertices, reading, *root, "vertices", read_vertices);
@@ -135,7 +146,10 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_solver(reading, *root, c.solver);
     c.outputs = read_output(reading, section_of(reading, *root, "output"));
     c.gates = read_gates(reading, *root);
-    if (!diagnostics.has_errors()) warn_unused_parameters(reading, c.parameters);
+    if (!diagnostics.has_errors()) {
+        warn_unused_parameters(reading, c.parameters, instances.parameters);
+    }
+    append_parameters(c.parameters, instances.parameters);
     return c;
 }
 

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
-#include <memory>
-#include <string_view>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "topology/instance_scope.h"
@@ -15,67 +14,13 @@ namespace hexweave {
 
 namespace {
 
-/// An override as a node of its own source, so that its faults show the argument.
-YamlNode override_node(const Override& given) {
-    const std::string text = given.name + "=" + given.expression;
-    YamlNode node;
-    node.kind = YamlNode::Kind::scalar;
-    node.text = given.expression;
-    node.key = given.name;
-    const auto source = std::make_shared<const SourceFile>(SourceFile{"--set", text});
-    const int name_length = std::max(1, static_cast<int>(given.name.size()));
-    const int value_length = std::max(1, static_cast<int>(given.expression.size()));
-    node.key_place = {source, 1, 1, name_length};
-    node.place = {source, 1, static_cast<int>(given.name.size()) + 2, value_length};
-    node.text_column = node.place.column;
-    return node;
-}
-
-/// The overrides by name; tells those of unknown names and those given twice.
-std::map<std::string, YamlNode> overrides_by_name(Reading& reading, const YamlNode* section,
-                                                  const std::vector<Override>& overrides) {
-    Keys known;
-    if (section != nullptr) {
-        for (const YamlNode& child : section->children) known.emplace_back(child.key);
-    }
-    std::map<std::string, YamlNode> by_name;
-    for (const Override& given : overrides) {
-        YamlNode node = override_node(given);
-        if (std::find(known.begin(), known.end(), given.name) == known.end()) {
-            reading.diagnostics.error(
-                node.key_place, fmt::format("unknown parameter '{}'", shown(given.name)),
-                known.empty() ? "the file has no parameters"
-                              : suggestion(given.name, known, "parameters are"));
-        } else if (!by_name.emplace(given.name, node).second) {
-            reading.diagnostics.error(node.key_place,
-                                      fmt::format("the parameter '{}' is set twice", given.name));
-        }
-    }
-    return by_name;
-}
-
-/// The names in a text.
-std::vector<std::string> names_in(const std::string& text) {
-    static constexpr std::string_view letters =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
-    std::vector<std::string> names;
-    for (std::size_t begin = text.find_first_of(letters); begin != std::string::npos;) {
-        const std::size_t end = std::min(text.find_first_not_of(letters, begin), text.size());
-        names.push_back(text.substr(begin, end - begin));
-        begin = text.find_first_of(letters, end);
-    }
-    return names;
-}
-
 /// The parameters of a section as they are computed: in order; but one that an include gives a
 /// value waits for what that value needs, which may stand further down.
 class ParameterTable {
 public:
-    ParameterTable(Reading& reading, const YamlNode& section,
-                   const std::vector<Override>& overrides)
+    ParameterTable(Reading& reading, const YamlNode& section)
         : reading_(reading),
           section_(section),
-          overrides_(overrides_by_name(reading, &section, overrides)),
           states_(section.children.size(), State::waiting),
           parameters_(section.children.size()) {
         for (std::size_t n = 0; n < section.children.size(); ++n) {
@@ -95,8 +40,8 @@ private:
 
     /// What stands for the parameter's own expression; null where nothing does.
     const YamlNode* replacement(const YamlNode& node, bool& from_include) const {
-        const auto given = overrides_.find(node.key);
-        if (given != overrides_.end()) return &given->second;
+        const auto given = reading_.overrides.find(node.key);
+        if (given != reading_.overrides.end()) return &given->second;
         const auto set = reading_.replaced.find(node.key);
         from_include = set != reading_.replaced.end();
         return from_include ? &set->second : nullptr;
@@ -127,7 +72,6 @@ private:
 
     Reading& reading_;
     const YamlNode& section_;
-    std::map<std::string, YamlNode> overrides_;
     std::vector<State> states_;
     std::vector<Parameter> parameters_;
     std::map<std::string, std::size_t> index_;
@@ -143,24 +87,50 @@ void check_parameter_name(Reading& reading, const YamlNode& node) {
                               "it is a function or a constant of expressions");
 }
 
-std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section,
-                                       const std::vector<Override>& overrides) {
-    if (section != nullptr) return ParameterTable(reading, *section, overrides).compute();
-    overrides_by_name(reading, section, overrides);
-    return {};
+std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section) {
+    return section == nullptr ? std::vector<Parameter>{}
+                              : ParameterTable(reading, *section).compute();
 }
 
-void warn_unused_parameters(Reading& reading, const std::vector<Parameter>& parameters) {
+namespace {
+
+/// What repeated entries use, the scopes use that these stand in.
+void pass_on_uses(Reading& reading) {
     for (auto scope = reading.scopes.rbegin(); scope != reading.scopes.rend(); ++scope) {
         if (!(*scope)->repeats) continue;
         const ScopePointer& outer = (*scope)->outer;
         (outer ? outer->parameters : reading.parameters).used.merge((*scope)->parameters.used);
     }
+}
+
+/// A parameter of a component counts as used where one instance uses it.
+void warn_unused_in_components(Reading& reading, const std::vector<InstanceParameter>& parameters) {
+    std::map<std::pair<std::string, std::string>, const InstanceParameter*> unused;
+    std::set<std::pair<std::string, std::string>> used;
+    for (const InstanceParameter& p : parameters) {
+        const std::pair key{p.component, p.name};
+        if (p.overridden || p.scope->parameters.used.contains(p.name)) used.insert(key);
+        unused.emplace(key, &p);
+    }
+    for (const auto& [key, p] : unused) {
+        if (used.contains(key)) continue;
+        reading.diagnostics.warning(
+            p->place,
+            fmt::format("parameter '{}' of component '{}' is never used", p->name, p->component));
+    }
+}
+
+}  // namespace
+
+void warn_unused_parameters(Reading& reading, const std::vector<Parameter>& parameters,
+                            const std::vector<InstanceParameter>& of_instances) {
+    pass_on_uses(reading);
     for (const Parameter& p : parameters) {
         if (p.overridden || reading.parameters.used.contains(p.name.value)) continue;
         reading.diagnostics.warning(p.name.place,
                                     fmt::format("parameter '{}' is never used", p.name.value));
     }
+    warn_unused_in_components(reading, of_instances);
 }
 
 }  // namespace hexweave

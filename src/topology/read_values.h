@@ -43,8 +43,9 @@ struct Reading {
     std::map<std::string, std::shared_ptr<const CadFile>> cad_files{};
     std::vector<std::shared_ptr<const SourceFile>> included{};  ///< files, in order
     std::vector<std::shared_ptr<InstanceScope>> scopes{};       ///< each behind that it stands in
-    int repeated = 0;                            ///< entries that repetition has made
-    std::map<std::string, YamlNode> replaced{};  ///< parameters that an include gives a value
+    int repeated = 0;                             ///< entries that repetition has made
+    std::map<std::string, YamlNode> replaced{};   ///< parameters that an include gives a value
+    std::map<std::string, YamlNode> overrides{};  ///< that the command line gives one
 };
 
 /// A key that is refused with its own words rather than as unknown.

@@ -211,6 +211,89 @@ TEST_CASE("faulty overrides show the argument") {
           "  hint: the file has no parameters\n");
 }
 
+namespace {
+
+/// Two boxes of one component beside each other.
+const std::string two_boxes = R"(hexweave: 1
+parameters: {many: 4, shown: 0}
+components:
+  box:
+    parameters: {length: required, cells: 4, base: 2, spare: 3 * base, lip: 0}
+    vertices: {a: [0, 0], b: [length, 0], c: [length, 1], d: [0, 1]}
+    edges: {south: {from: a, to: b, cells: cells}, west: {from: a, to: d, cells: 4}}
+    faces: {f: {corners: [a, b, c, d]}}
+    boundaries:
+      walls: {type: BCWall, sides: [south, west, b-c, c-d]}
+      extra: {type: BCWall, sides: south, when: 0 * lip}
+  pair:
+    parameters: {cells: 5}
+    instances: {inner: {of: box, set: {length: 1, cells: 2 * cells}}}
+instances:
+  low: {of: box, set: {length: 1, cells: many}}
+  high: {of: pair, translate: [0, 3]}
+boundaries:
+  more: {type: BCWall, sides: low.south, when: shown}
+)";
+
+}  // namespace
+
+TEST_CASE("the command line has the last word on the parameters of instances") {
+    const auto cells = [](const std::vector<Override>& overrides) {
+        const Read read = read_text(two_boxes, overrides);
+        REQUIRE(!read.diagnostics.has_errors());
+        return std::array{read.c.edges[0].cells->value, read.c.edges[2].cells->value};
+    };
+    CHECK(cells({}) == std::array{4, 10});
+    CHECK(cells({{"low.cells", "2 * many"}}) == std::array{8, 10});
+    CHECK(cells({{"high.cells", "3"}}) == std::array{4, 6});
+    CHECK(cells({{"high.inner.cells", "3"}, {"many", "7"}}) == std::array{7, 3});
+
+    const Case c = read_text(two_boxes, {{"high.inner.length", "2"}}).c;
+    CHECK(c.parameters.size() == 2 + 5 + 5 + 1);
+    const auto named = [&](const std::string& name) {
+        return *std::find_if(c.parameters.begin(), c.parameters.end(),
+                             [&](const Parameter& p) { return p.name.value == name; });
+    };
+    CHECK(named("high.inner.length").value == 2);
+    CHECK(named("high.inner.length").overridden);
+    CHECK(named("low.cells").value == 4);
+    CHECK_FALSE(named("low.cells").overridden);
+    CHECK(c.provenance.find("; set high.inner.length=2") != std::string::npos);
+}
+
+TEST_CASE("overrides of parameters that no instance has are told") {
+    const auto fault = [](const std::string& name, const std::string& value = "1") {
+        const Diagnostics all = read_text(two_boxes, {{name, value}}).diagnostics;
+        std::string text;
+        for (const Diagnostic& d : all.all()) {
+            if (d.severity == Severity::error) text += d.message + "; " + d.hint;
+        }
+        return text;
+    };
+    CHECK(fault("low.cels") == "unknown parameter 'cels' of instance 'low'; did you mean 'cells'?");
+    CHECK(fault("high.inner.x") ==
+          "unknown parameter 'x' of instance 'high.inner'; its parameters are base, cells, length, "
+          "lip, spare");
+    CHECK(fault("hihg.cells") ==
+          "'hihg.cells' is a parameter of no instance: there is no instance 'hihg'; did you mean "
+          "'high'?");
+    CHECK(fault("cells") ==
+          "unknown parameter 'cells'; did you mean 'low.cells'? parameters of instances are set by "
+          "their full names");
+    CHECK(fault("low.cells", "length") ==
+          "unknown parameter 'length'; known parameters are many, shown");
+    CHECK(fault("low.cells", "2.5").find("must be a whole number") != std::string::npos);
+}
+
+TEST_CASE("a parameter of a component that no instance uses is told once") {
+    // 'base' is used by another, 'lip' and 'shown' in what is left out.
+    CHECK(render(read_text(two_boxes).diagnostics) ==
+          "case.yaml:5:55: warning: parameter 'spare' of component 'box' is never used\n"
+          "    parameters: {length: required, cells: 4, base: 2, spare: 3 * base, lip: 0}\n"
+          "                                                      ^~~~~\n");
+    CHECK(read_text(two_boxes, {{"low.spare", "1"}}).diagnostics.all().empty());
+}
+
 TEST_CASE("provenance names the version, the config's hash and the overrides") {
     // FNV-1a of the empty text and of "a" are in the authors' test vectors.
     CHECK(read_text("").c.provenance.find("; config fnv1a64:cbf29ce484222325") !=
