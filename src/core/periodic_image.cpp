@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/periodic_image.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <numbers>
+
+#include "core/turn.h"
 
 namespace hexweave {
 
 namespace {
-
-struct Turn {
-    double cosine = 1;
-    double sine = 0;
-};
-
-/// Exact at multiples of a right angle.
-Turn turn_by(double angle) {
-    const double quarters = angle / (std::numbers::pi / 2);
-    const double nearest = std::round(quarters);
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    if (std::abs(quarters - nearest) > 4 * epsilon * std::max(1.0, std::abs(nearest))) {
-        return {std::cos(angle), std::sin(angle)};
-    }
-    const auto quarter = static_cast<int>(std::fmod(nearest, 4.0) + 4) % 4;
-    constexpr std::array<Turn, 4> turns{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-    return turns[static_cast<std::size_t>(quarter)];
-}
 
 /// Turns every column of a matrix in the plane of its rows a and b.
 void turn_rows(std::array<Vec3, 3>& rows, std::size_t a, std::size_t b, const Turn& turn) {

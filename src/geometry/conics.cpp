@@ -5,36 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/turn.h"
 #include "geometry/transform.h"
 
 namespace hexweave {
-
-namespace {
-
-struct CosineSine {
-    double cosine;
-    double sine;
-};
-
-/// Cosine and sine of an angle in quarter turns, exact at whole quarters.
-CosineSine of_quarter_turns(double quarters) {
-    const double whole = std::round(quarters);
-    const double angle = (quarters - whole) * (std::numbers::pi / 2);
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    switch (static_cast<int>(std::fmod(whole, 4)) & 3) {
-        case 0:
-            return {c, s};
-        case 1:
-            return {-s, c};
-        case 2:
-            return {-c, -s};
-        default:
-            return {s, -c};
-    }
-}
-
-}  // namespace
 
 std::optional<PlaneAxes> plane_axes(const Vec3& normal, const std::optional<Vec3>& x_axis) {
     constexpr double parallel = 1e-12;
@@ -56,16 +30,16 @@ Curve circle(const Vec3& center, double radius, const PlaneAxes& axes) {
 }
 
 Curve ellipse(const Vec3& center, double a, double b, double rotation, const PlaneAxes& axes) {
-    const CosineSine turn = of_quarter_turns(rotation / (std::numbers::pi / 2));
+    const Turn turn = turn_by_quarters(rotation / (std::numbers::pi / 2));
     const Vec3 first = a * (turn.cosine * axes.x + turn.sine * axes.y);
     const Vec3 second = b * (turn.cosine * axes.y - turn.sine * axes.x);
     Curve curve;
     curve.position = [=](double t) {
-        const CosineSine at = of_quarter_turns(t);
+        const Turn at = turn_by_quarters(t);
         return center + at.cosine * first + at.sine * second;
     };
     curve.derivative = [=](double t) {
-        const CosineSine at = of_quarter_turns(t);
+        const Turn at = turn_by_quarters(t);
         return (std::numbers::pi / 2) * (at.cosine * second - at.sine * first);
     };
     curve.begin = 0;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/turn.h"
+
 namespace hexweave {
 
 namespace {
@@ -60,10 +62,9 @@ Affine scaling(const Vec3& factors, const Vec3& center) {
 Affine rotation(const Vec3& axis, double angle, const Vec3& center) {
     // Rodrigues' formula, applied to the unit vectors.
     const Vec3 n = axis / norm(axis);
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const Turn turn = turn_by(angle);
     const auto turned = [&](const Vec3& v) {
-        return c * v + s * cross(n, v) + ((1 - c) * dot(n, v)) * n;
+        return turn.cosine * v + turn.sine * cross(n, v) + ((1 - turn.cosine) * dot(n, v)) * n;
     };
     const Vec3 x = turned({1, 0, 0});
     const Vec3 y = turned({0, 1, 0});

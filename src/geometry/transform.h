@@ -26,8 +26,8 @@ bool is_identity(const Affine& map);
 Affine translation(const Vec3& by);
 /// A factor for each axis, about `center`. Precondition: no factor is zero.
 Affine scaling(const Vec3& factors, const Vec3& center = {});
-/// Turns about the line through `center` along `axis`, right-handed, `angle` in radians; in two
-/// dimensions the axis is z. Precondition: the axis is not zero.
+/// Turns about the line through `center` along `axis`, right-handed, `angle` in radians, exactly by
+/// multiples of a right angle; in two dimensions the axis is z. Precondition: the axis is not zero.
 Affine rotation(const Vec3& axis, double angle, const Vec3& center = {});
 /// Mirrors at the plane through `point` with this normal. Precondition: the normal is not zero.
 Affine reflection(const Vec3& point, const Vec3& normal);

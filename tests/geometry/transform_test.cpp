@@ -33,6 +33,16 @@ TEST_CASE("affine maps move points where they say") {
     CHECK(near(apply(reflection({}, {1, -1, 0}), {2, 7, 1}), {7, 2, 1}));
 }
 
+TEST_CASE("a quarter turn about a coordinate axis exchanges coordinates to the last bit") {
+    const Vec3 p{0.1, 0.7, -0.3};
+    CHECK(apply(rotation({0, 0, 1}, pi / 2), p) == Vec3{-0.7, 0.1, -0.3});
+    CHECK(apply(rotation({3, 0, 0}, -pi / 2), p) == Vec3{0.1, -0.3, -0.7});
+    CHECK(apply(rotation({0, 1, 0}, 3 * pi / 2), p) == Vec3{0.3, 0.7, 0.1});
+    CHECK(apply(rotation({0, 0, 1}, -7 * pi), p) == Vec3{-0.1, -0.7, -0.3});
+    // A little more is a little more, not a quarter.
+    CHECK(apply(rotation({0, 0, 1}, pi / 2 + 1e-12), p) != Vec3{-0.7, 0.1, -0.3});
+}
+
 TEST_CASE("maps compose in the order they are written") {
     const Affine both = compose(rotation({0, 0, 1}, pi / 2), translation({1, 0, 0}));
     CHECK(near(apply(both, {1, 0, 0}), {1, 1, 0}));
