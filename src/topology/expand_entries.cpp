@@ -40,9 +40,10 @@ std::optional<int> read_whole(Reading& reading, const YamlNode& node, const std:
     if (*value == std::round(*value) && std::abs(*value) <= largest_index) {
         return static_cast<int>(*value);
     }
-    reading.diagnostics.error(node.place,
-                              fmt::format("{} must be a whole number of at most {}, not {}", what,
-                                          largest_index, *value));
+    reading.diagnostics.error(
+        node.place,
+        fmt::format("{} must be a whole number of at most {}, not {}", what, largest_index, *value),
+        "as in repeat: {i: [1, 5]}, blade{i} and blade{i + 1}");
     return std::nullopt;
 }
 
@@ -63,7 +64,12 @@ std::optional<Index> read_index(Reading& reading, const YamlNode& node) {
         return std::nullopt;
     }
     const std::string what = fmt::format("the index '{}'", node.key);
-    if (!expect_list(reading, node, what, 2)) return std::nullopt;
+    if (!node.is_sequence() || node.children.size() != 2) {
+        reading.diagnostics.error(node.place,
+                                  fmt::format("{} must be its first and its last value", what),
+                                  fmt::format("write repeat: {{{}: [1, 5]}}", node.key));
+        return std::nullopt;
+    }
     const auto first = read_whole(reading, node.children[0], "the first value of " + what);
     const auto last = read_whole(reading, node.children[1], "the last value of " + what);
     if (!first || !last) return std::nullopt;
@@ -160,7 +166,8 @@ bool read_indices(Reading& reading, const YamlNode& repeat, std::vector<Index>& 
         return count > 0;
     }
     reading.diagnostics.error(repeat.key_place,
-                              fmt::format("repetition makes more than {} entries", most_repeated));
+                              fmt::format("repetition makes more than {} entries", most_repeated),
+                              "give its indices fewer values");
     return false;
 }
 
@@ -199,7 +206,8 @@ void drop_repeated_names(Reading& reading, YamlNode& section) {
             continue;
         }
         Diagnostic& d = reading.diagnostics.error(
-            entry.key_place, fmt::format("repetition gives the name '{}' twice", shown(entry.key)));
+            entry.key_place, fmt::format("repetition gives the name '{}' twice", shown(entry.key)),
+            "give one of the two another name");
         d.notes.push_back({first->second, "first given here"});
     }
     section.children = std::move(kept);

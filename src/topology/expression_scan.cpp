@@ -110,10 +110,15 @@ private:
         std::size_t bytes = 1;
         while (at_ + bytes < text_.size() && (text_[at_ + bytes] & 0xC0) == 0x80) ++bytes;
         return {fmt::format("'{}' has no place in an expression", text_.substr(at_, bytes)),
-                remedy(text_[at_]), at_, 1};
+                remedy(std::string_view(text_).substr(at_, bytes)), at_, 1};
     }
 
-    static const char* remedy(char c) {
+    static const char* remedy(std::string_view character) {
+        const char c = character.front();
+        if (c == '%') return "there is no remainder: write a - b * floor(a / b)";
+        if (character == "\u00B0") return "angles are in radians: write 90 degrees as pi / 2";
+        if (c == '[' || c == '{') return "an expression is one number; parentheses are round";
+        if (c == '"' || c == '\'') return "an expression has no texts";
         if (c == '=') return "two values are compared by '=='";
         if (c == '&') return "'and' is written '&&'";
         if (c == '|') return "'or' is written '||'";
@@ -130,10 +135,10 @@ private:
         const auto length = std::max<std::size_t>(1, static_cast<std::size_t>(stop - begin));
         const std::string written = text_.substr(at_, length);
         if (error == std::errc::invalid_argument)
-            return ExpressionFault{"a '.' without digits", {}, at_, 1};
+            return ExpressionFault{"a '.' without digits", "write 0.5", at_, 1};
         if (error != std::errc()) {
-            return ExpressionFault{
-                fmt::format("the number {} is out of range", written), {}, at_, length};
+            return ExpressionFault{fmt::format("the number {} is out of range", written),
+                                   "numbers lie between 1e-307 and 1e308", at_, length};
         }
         const bool glued = stop != end && (is_letter(*stop) || is_digit(*stop) || *stop == '.');
         if (glued) return bad_number();
@@ -150,8 +155,23 @@ private:
             ++end;
         }
         const std::string written = text_.substr(at_, end - at_);
-        return {fmt::format("'{}' is neither a number nor a name", written),
-                "write '*' between a number and a name", at_, end - at_};
+        return {fmt::format("'{}' is neither a number nor a name", written), glued_remedy(written),
+                at_, end - at_};
+    }
+
+    /// What was glued to a number: a unit, a hexadecimal number, a name.
+    std::string glued_remedy(const std::string& written) const {
+        const std::size_t letters = written.find_first_not_of("0123456789.");
+        if (letters == std::string::npos) return "a number has one decimal point";
+        const std::string name = written.substr(letters);
+        if (name == "deg" || name == "degrees") {
+            return "angles are in radians: write 90 degrees as pi / 2";
+        }
+        if (is_variable(name) || scope_.values.contains(name) || constant_value(name)) {
+            return fmt::format("write '*' between them: {} * {}", written.substr(0, letters), name);
+        }
+        return "a number has no unit of its own: that of all lengths is said once, by 'units'; "
+               "between a number and a name stands '*'";
     }
 
     ExpressionFault operator_missing(const std::string& written, std::size_t length) const {
@@ -183,10 +203,15 @@ private:
         std::transform(functions.begin(), functions.end(), known.begin(),
                        [](const Function& f) { return std::string(f.name); });
         const std::string nearest = nearest_name(name, known);
-        if (name == "log") {
+        if (name == "pow") {
+            fault.hint = "the power is written '^': a^b";
+        } else if (name == "round") {
+            fault.hint = "write floor(x + 0.5)";
+        } else if (name == "log") {
             fault.hint = "write 'ln' for the natural logarithm, 'log10' for that of base 10";
         } else if (scope_.values.contains(name) || is_variable(name) || constant_value(name)) {
             fault.message = fmt::format("an operator is missing between '{}' and '('", name);
+            fault.hint = fmt::format("write '{} * (' to multiply", name);
         } else if (!nearest.empty()) {
             fault.hint = fmt::format("did you mean '{}'?", nearest);
         } else {
@@ -227,8 +252,11 @@ private:
         } else if (is_function_name(name)) {
             fault.message =
                 fmt::format("the function '{}' lacks its argument in parentheses", name);
+            fault.hint = fmt::format("as in {}(x)", name);
         } else if (!nearest.empty()) {
             fault.hint = fmt::format("did you mean '{}'?", nearest);
+        } else if (name == "PI" || name == "Pi") {
+            fault.hint = "did you mean 'pi'?";
         } else if (variables_.size() == 1) {
             fault.hint = fmt::format("the variable of a formula is '{}'", variables_[0]);
         } else if (!variables_.empty()) {
@@ -236,7 +264,7 @@ private:
                                      fmt::join(variables_, "' and '"));
         } else if (!known.empty() && known.size() <= 20) {
             fault.hint = fmt::format("known parameters are {}", fmt::join(known, ", "));
-        } else if (known.empty()) {
+        } else {
             fault.hint =
                 fmt::format("write a number, or define it: 'parameters: {{{}: VALUE}}'", name);
         }

@@ -71,6 +71,9 @@ private:
     Arguments arguments_{};
 };
 
+constexpr const char* arguments_hint =
+    "min and max have one or more, atan2(y, x) has two, every other function one";
+
 ExpressionFault fault_of(const mu::ParserError& error, const std::string& text) {
     ExpressionFault fault;
     const std::size_t last = text.empty() ? 0 : text.size() - 1;
@@ -81,32 +84,41 @@ ExpressionFault fault_of(const mu::ParserError& error, const std::string& text) 
         case mu::ecUNEXPECTED_EOF:
         case mu::ecEMPTY_EXPRESSION:
             fault.message = "the expression ends too early";
+            fault.hint = "a value is lacking behind the last operator or parenthesis";
             fault.offset = text.size();
             break;
         case mu::ecMISSING_PARENS:
             fault.message = "a ')' is missing";
+            fault.hint = "close every parenthesis";
             break;
         case mu::ecUNEXPECTED_PARENS:
             fault.message = "a parenthesis where none can stand";
+            fault.hint = "every ')' closes a '('";
             break;
         case mu::ecUNEXPECTED_OPERATOR:
         case mu::ecUNASSIGNABLE_TOKEN:
             fault.message = "an operator where a value should stand";
+            fault.hint = "write a value on both sides of it";
             break;
         case mu::ecMISPLACED_COLON:
             fault.message = "a ':' without a '?' before it";
+            fault.hint = "a choice is written condition ? a : b";
             break;
         case mu::ecMISSING_ELSE_CLAUSE:
             fault.message = "a '?' without its ':'";
+            fault.hint = "a choice is written condition ? a : b";
             break;
         case mu::ecTOO_MANY_PARAMS:
-            fault.message = fmt::format("too many arguments");
+            fault.message = "too many arguments";
+            fault.hint = arguments_hint;
             break;
         case mu::ecTOO_FEW_PARAMS:
-            fault.message = fmt::format("too few arguments");
+            fault.message = "too few arguments";
+            fault.hint = arguments_hint;
             break;
         case mu::ecEXPRESSION_TOO_LONG:
             fault.message = "the expression is too long";
+            fault.hint = "name parts of it under 'parameters'";
             break;
         case mu::ecIDENTIFIER_TOO_LONG:
             fault.message = "a name in the expression is too long";
@@ -187,6 +199,18 @@ std::variant<std::shared_ptr<CopiesForThreads>, ExpressionFault> compile_copies(
     return copies;
 }
 
+/// With which values an expression was computed.
+std::string values_hint(const std::map<std::string, double>& values) {
+    std::string text;
+    for (const auto& [name, value] : values) {
+        if (constant_value(name)) continue;
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+    }
+    return text.empty()
+               ? "divisions by zero, roots and logarithms of negative numbers have no value"
+               : "with " + text;
+}
+
 }  // namespace
 
 std::vector<std::string> names_in(const std::string& text) {
@@ -216,9 +240,7 @@ std::variant<double, ExpressionFault> evaluate(const std::string& text, Paramete
         return ExpressionFault{
             fmt::format("'{}' is not finite: its value is {}", text,
                         std::isnan(value) ? "not a number" : fmt::format("{}", value)),
-            {},
-            0,
-            text.size()};
+            values_hint(scan.values), 0, text.size()};
     }
     return value;
 }

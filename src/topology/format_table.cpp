@@ -53,6 +53,12 @@ const MappingFormat& require_format(std::string_view name) {
     return format == nullptr ? none : *format;
 }
 
+const KeyFormat* key_in(const MappingFormat& format, std::string_view key) {
+    const auto found = std::find_if(format.keys.begin(), format.keys.end(),
+                                    [&](const KeyFormat& known) { return known.key == key; });
+    return found == format.keys.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 const std::vector<MappingFormat>& format_table() {
@@ -76,6 +82,17 @@ Keys keys_of(const FormatNames& formats) {
         }
     }
     return keys;
+}
+
+const KeyFormat* find_key(const FormatNames& formats, std::string_view key) {
+    for (const std::string& name : formats.names) {
+        const MappingFormat& format = require_format(name);
+        if (const KeyFormat* found = key_in(format, key)) return found;
+        for (const std::string_view other : format.with) {
+            if (const KeyFormat* found = key_in(require_format(other), key)) return found;
+        }
+    }
+    return nullptr;
 }
 
 Keys required_keys(std::string_view format) {

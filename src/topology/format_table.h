@@ -97,6 +97,8 @@ struct FormatNames {
 /// The keys of some mappings, of which an entry is one: their own in order, then those of the
 /// mappings that they name as `with`, each once.
 Keys keys_of(const FormatNames& formats);
+/// The key of one of some mappings; null where none has it.
+const KeyFormat* find_key(const FormatNames& formats, std::string_view key);
 /// Those that must be there.
 Keys required_keys(std::string_view format);
 /// The words that may stand under a key, in the table's order.

@@ -42,7 +42,8 @@ bool enter_file(Merge& merge, const YamlNode& name) {
     const std::filesystem::path path = true_path(path_of_file(name));
     if (is_within(name.place, path)) {
         merge.reading.diagnostics.error(name.place,
-                                        fmt::format("'{}' includes itself", shown(name.text)));
+                                        fmt::format("'{}' includes itself", shown(name.text)),
+                                        "take this include out");
         return false;
     }
     const auto [first, is_new] = merge.files.emplace(path, name.place);
@@ -87,7 +88,8 @@ void set_parameters(Merge& merge, const YamlNode& set, const YamlNode& root) {
     Reading& reading = merge.reading;
     if (!set.is_mapping()) {
         reading.diagnostics.error(
-            set.place, fmt::format("'set' must be a mapping of parameters, not {}", describe(set)));
+            set.place, fmt::format("'set' must be a mapping of parameters, not {}", describe(set)),
+            usage_of(reading, set));
         return;
     }
     const YamlNode* section = root.find("parameters");
@@ -245,7 +247,8 @@ bool check_version(Reading& reading, const YamlNode& root) {
     if (version->is_scalar() && version->text == "1") return true;
     reading.diagnostics.error(
         version->place,
-        fmt::format("the version of the format must be 1, not {}", describe(*version)));
+        fmt::format("the version of the format must be 1, not {}", describe(*version)),
+        "write 'hexweave: 1'");
     return !version->is_scalar();
 }
 

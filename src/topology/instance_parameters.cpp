@@ -21,7 +21,8 @@ const YamlNode* read_set(Reading& reading, const YamlNode& instance, const YamlN
     if (!set->is_mapping()) {
         reading.diagnostics.error(
             set->place,
-            fmt::format("'set' must be a mapping of parameters, not {}", describe(*set)));
+            fmt::format("'set' must be a mapping of parameters, not {}", describe(*set)),
+            usage_of(reading, *set));
         return nullptr;
     }
     Keys known;

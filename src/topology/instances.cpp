@@ -70,8 +70,8 @@ const YamlNode* component_of(Expansion& all, const YamlNode& instance, const std
         return nullptr;
     }
     if (std::find(all.open.begin(), all.open.end(), *name) != all.open.end()) {
-        reading.diagnostics.error(of->place,
-                                  fmt::format("component '{}' is made of itself", *name));
+        reading.diagnostics.error(of->place, fmt::format("component '{}' is made of itself", *name),
+                                  "take out this instance, or make it of another component");
         return nullptr;
     }
     return found->second;
@@ -111,7 +111,8 @@ void read_ports(Expansion& all, const YamlNode& component, const ScopePointer& s
     if (!ports->is_mapping()) {
         all.reading.diagnostics.error(
             ports->place,
-            fmt::format("'ports' must be a mapping of names, not {}", describe(*ports)));
+            fmt::format("'ports' must be a mapping of names, not {}", describe(*ports)),
+            "write ports: {NAME: EDGE}");
         return;
     }
     for (const YamlNode& port : ports->children) {
@@ -263,8 +264,7 @@ Instances expand_instances(Reading& reading, YamlNode& root) {
     if (const YamlNode* instances = find(reading, root, "instances")) {
         const YamlNode list = *instances;
         for (const YamlNode& instance : list.children) instantiate(all, instance);
-        std::erase_if(reading.misspelled,
-                      [&](const MisspelledKey& m) { return m.mapping != &root; });
+        forget_mappings(reading, root);
     }
     return std::move(all.found);
 }

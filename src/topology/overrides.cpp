@@ -76,7 +76,8 @@ void note_overrides(Reading& reading, const std::vector<Override>& overrides) {
         const YamlNode node = override_node(given);
         if (reading.overrides.emplace(given.name, node).second) continue;
         reading.diagnostics.error(node.key_place,
-                                  fmt::format("the parameter '{}' is set twice", given.name));
+                                  fmt::format("the parameter '{}' is set twice", given.name),
+                                  "leave one out");
     }
 }
 

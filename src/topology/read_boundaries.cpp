@@ -21,7 +21,9 @@ std::vector<Name> read_sides(Reading& reading, const YamlNode& node) {
     if (!node.is_sequence()) return {read_name(reading, node, "'sides'")};
     std::vector<Name> sides;
     for (const YamlNode& item : node.children) sides.push_back(read_name(reading, item, "a side"));
-    if (sides.empty()) reading.diagnostics.error(node.place, "'sides' names nothing");
+    if (sides.empty()) {
+        reading.diagnostics.error(node.place, "'sides' names nothing", usage_of(reading, node));
+    }
     return sides;
 }
 

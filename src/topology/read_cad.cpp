@@ -42,7 +42,8 @@ std::shared_ptr<const CadFile> read_file(Reading& reading, const YamlNode& path)
         if (result.file) {
             read = std::make_shared<const CadFile>(std::move(*result.file));
         } else {
-            tell_file_fault(reading, path, file, result.error, 0);
+            tell_file_fault(reading, path, file, result.error, 0,
+                            "save it as IGES (.igs) or STEP (.stp) where it was drawn");
         }
     }
     if (path.is_scalar()) reading.cad_files.emplace(where, read);
@@ -156,7 +157,8 @@ const Part* pick(const CadUse& use, const std::vector<Part>& parts, std::string_
     const YamlNode* node = find(use.reading, use.entry, key);
     if (node == nullptr && parts.size() == 1) return &parts.front();
     if (parts.empty()) {
-        use.reading.diagnostics.error(use.path.place, fmt::format("{} has no {}", whole, key));
+        use.reading.diagnostics.error(use.path.place, fmt::format("{} has no {}", whole, key),
+                                      "name another entity; " + use.see_list());
         return nullptr;
     }
     const std::string count =
@@ -180,7 +182,8 @@ bool is_usable(const CadUse& use, const Part* part, const std::string& words) {
     if (part == nullptr) return false;
     if (part->fault.empty()) return true;
     use.reading.diagnostics.error(use.path.place,
-                                  fmt::format("{} cannot be used: {}", words, part->fault));
+                                  fmt::format("{} cannot be used: {}", words, part->fault),
+                                  "name another entity; " + use.see_list());
     return false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -27,6 +28,35 @@ std::string unreadable(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(status)) return "it is not a file";
     if (std::filesystem::file_size(path, error) > largest_file) return "it is too large";
     return {};
+}
+
+constexpr const char* points_hint =
+    "each line holds the x, y and, where wanted, z of a point; what follows a '#' is skipped";
+
+/// The file of a folder whose name is most like another; empty where none is.
+std::string nearest_file(const std::filesystem::path& folder, const std::string& name) {
+    constexpr std::size_t most_looked_at = 10'000;
+    std::vector<std::string> names;
+    std::error_code error;
+    std::filesystem::directory_iterator file(folder.empty() ? "." : folder, error);
+    for (; !error && file != std::filesystem::directory_iterator(); file.increment(error)) {
+        if (file->is_regular_file(error)) names.push_back(file->path().filename().string());
+        if (names.size() >= most_looked_at) break;
+    }
+    std::sort(names.begin(), names.end());
+    return nearest_name(name, names);
+}
+
+/// What may be meant by a path that cannot be read, or where it was looked for.
+std::string hint_for_path(const std::string& written, const std::filesystem::path& path) {
+    const std::string nearest = nearest_file(path.parent_path(), path.filename().string());
+    if (!nearest.empty() && nearest != path.filename().string()) {
+        const std::filesystem::path meant = std::filesystem::path(written).parent_path() / nearest;
+        return fmt::format("did you mean '{}'?", shown(meant.string()));
+    }
+    const std::string tried =
+        path.string() == written ? "" : fmt::format("; this one would be '{}'", path.string());
+    return "files are looked for relative to the folder of the file that names them" + tried;
 }
 
 /// The numbers of one line; nothing where something else stands in it.
@@ -72,15 +102,15 @@ std::shared_ptr<const SourceFile> read_data_file(Reading& reading, const YamlNod
     }
     reading.diagnostics.error(
         node.place, fmt::format("the file '{}' cannot be read: {}", shown(*written), reason),
-        "files are looked for relative to the folder of the file that names them");
+        hint_for_path(*written, path));
     return nullptr;
 }
 
 void tell_file_fault(Reading& reading, const YamlNode& node,
                      const std::shared_ptr<const SourceFile>& file, const std::string& fault,
-                     int line) {
+                     int line, const std::string& hint) {
     Diagnostic& d = reading.diagnostics.error(
-        node.place, fmt::format("in the file '{}': {}", shown(file->name), fault));
+        node.place, fmt::format("in the file '{}': {}", shown(file->name), fault), hint);
     if (line > 0) d.notes.push_back({{file, line, 0, 1}, "here"});
 }
 
@@ -95,13 +125,14 @@ std::optional<std::vector<Vec3>> read_point_file(Reading& reading, const YamlNod
         const std::optional<std::vector<double>> numbers = numbers_of(line);
         if (numbers && numbers->empty()) continue;
         if (!numbers || numbers->size() < 2 || numbers->size() > 3) {
-            tell_file_fault(reading, node, file, "a line must hold two or three numbers", number);
+            tell_file_fault(reading, node, file, "a line must hold two or three numbers", number,
+                            points_hint);
             return std::nullopt;
         }
         points.push_back({(*numbers)[0], (*numbers)[1], numbers->size() == 3 ? (*numbers)[2] : 0});
     }
     if (!points.empty()) return points;
-    tell_file_fault(reading, node, file, "there are no points", 0);
+    tell_file_fault(reading, node, file, "there are no points", 0, points_hint);
     return std::nullopt;
 }
 

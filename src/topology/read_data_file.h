@@ -21,9 +21,10 @@ std::shared_ptr<const SourceFile> read_data_file(Reading& reading, const YamlNod
                                                  const std::string& what);
 
 /// An error at the node that names a data file, with a note at a line of that file (0: none).
+/// `hint` says what such a file holds.
 void tell_file_fault(Reading& reading, const YamlNode& node,
                      const std::shared_ptr<const SourceFile>& file, const std::string& fault,
-                     int line);
+                     int line, const std::string& hint);
 
 /// Points from a text, two or three numbers a line, separated by blanks or commas; empty lines and
 /// what follows a '#' are skipped. `what` is the node's, for messages.

@@ -55,10 +55,29 @@ std::optional<bool> by_corners(Reading& reading, const YamlNode& node, const Key
     return corners;
 }
 
+/// Tells a face of three corners how one of its sides becomes a pole.
+void tell_triangle(Reading& reading, const YamlNode& corners) {
+    std::array<std::string, 3> names;
+    for (std::size_t n = 0; n < names.size(); ++n) names.at(n) = shown(corners.children[n].text);
+    reading.diagnostics.error(
+        corners.place, "a face has four corners, not three",
+        fmt::format("for a triangle draw its tip as an edge, 'tip: {{at: {}}}', and give the four "
+                    "sides: 'imin: tip', 'imax' from {} to {}, 'jmin' from {} to {}, 'jmax' from "
+                    "{} to {}",
+                    names[0], names[1], names[2], names[0], names[1], names[0], names[2]));
+}
+
 template <std::size_t count>
 std::array<Name, count> read_corners(Reading& reading, const YamlNode& node) {
     std::array<Name, count> corners;
     corners.fill({{}, node.place});
+    const bool three = node.children.size() == 3 &&
+                       std::all_of(node.children.begin(), node.children.end(),
+                                   [](const YamlNode& name) { return name.is_scalar(); });
+    if (count == 4 && three) {
+        tell_triangle(reading, node);
+        return corners;
+    }
     if (!expect_list(reading, node, "'corners'", count)) return corners;
     for (std::size_t n = 0; n < count; ++n)
         corners[n] = read_name(reading, node.children[n], "a corner");
@@ -74,7 +93,8 @@ std::vector<SignedName> read_face_side(Reading& reading, const YamlNode& node,
         edges.push_back(read_signed_name(reading, item, fmt::format("an edge of {}", what)));
     }
     if (!edges.empty()) return edges;
-    reading.diagnostics.error(node.place, fmt::format("{} names no edge", what));
+    reading.diagnostics.error(node.place, fmt::format("{} names no edge", what),
+                              usage_of(reading, node));
     return {SignedName{{}, false, false, node.place}};
 }
 
@@ -167,7 +187,7 @@ std::optional<std::array<int, 2>> read_axes(Reading& reading, const YamlNode& no
         axes.at(n) = values.at(*choice);
     }
     if (std::abs(axes[0]) != std::abs(axes[1])) return axes;
-    reading.diagnostics.error(node.place, "'axes' must name both i and j");
+    reading.diagnostics.error(node.place, "'axes' must name both i and j", usage_of(reading, node));
     return std::nullopt;
 }
 
@@ -223,7 +243,8 @@ BlockSideEntry read_block_side(Reading& reading, const YamlNode& node, const std
         return {{std::move(use)}, 1, false, place};
     }
     if (node.children.empty()) {
-        reading.diagnostics.error(node.place, fmt::format("{} names no face", what));
+        reading.diagnostics.error(node.place, fmt::format("{} names no face", what),
+                                  usage_of(reading, node));
         return {{{{{}, node.place}, {}}}, 1, false, node.place};
     }
     if (node.children.front().is_sequence()) return read_rows(reading, node, what);

@@ -44,7 +44,8 @@ void read_gate(Reading& reading, const YamlNode& node, const GateRule& rule,
         return;
     }
     reading.diagnostics.error(
-        node.place, fmt::format("'{}' must be {}, not {}", rule.key, range_text(rule), *limit));
+        node.place, fmt::format("'{}' must be {}, not {}", rule.key, range_text(rule), *limit),
+        usage_of(reading, node));
 }
 
 }  // namespace

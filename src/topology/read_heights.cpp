@@ -21,7 +21,8 @@ void read_bounded(Reading& reading, const YamlNode& node, std::string_view key,
         return;
     }
     reading.diagnostics.error(given->place,
-                              fmt::format("'{}' must be {}, not {}", key, must, *number));
+                              fmt::format("'{}' must be {}, not {}", key, must, *number),
+                              usage_of(reading, *given));
 }
 
 std::optional<HeldHeights> read_held(Reading& reading, const YamlNode& node) {

@@ -56,9 +56,10 @@ std::optional<Rows<Value>> read_rows(Reading& reading, const YamlNode& node,
         const int length = static_cast<int>(row->size());
         if (rows.count++ == 0) rows.length = length;
         if (length != rows.length) {
-            reading.diagnostics.error(
-                child.place, fmt::format("this row of {} has {} items, the first one {}", what,
-                                         length, rows.length));
+            reading.diagnostics.error(child.place,
+                                      fmt::format("this row of {} has {} items, the first one {}",
+                                                  what, length, rows.length),
+                                      "all rows have equally many");
             sound = false;
         }
         rows.values.insert(rows.values.end(), row->begin(), row->end());
@@ -73,7 +74,7 @@ std::optional<std::vector<double>> read_knots(Reading& reading, const YamlNode& 
 
 /// Tells a fault of one part of a net or a polygon; true where there is none.
 bool accept(Reading& reading, const YamlNode& node, const std::string& fault) {
-    if (!fault.empty()) reading.diagnostics.error(node.place, fault);
+    if (!fault.empty()) reading.diagnostics.error(node.place, fault, usage_of(reading, node));
     return fault.empty();
 }
 
@@ -151,7 +152,9 @@ std::optional<ControlMesh> read_mesh_file(Reading& reading, const YamlNode& node
     if (!file || (which != nullptr && !block)) return std::nullopt;
     Plot3dSurface surface = read_plot3d_surface(file->text, block);
     if (surface.error.empty()) return std::move(surface.mesh);
-    tell_file_fault(reading, *name, file, surface.error, surface.line);
+    tell_file_fault(reading, *name, file, surface.error, surface.line,
+                    "it must be a Plot3D text file: the counts ni nj 1, all x, all y, all z; "
+                    "'block' says which of several");
     return std::nullopt;
 }
 

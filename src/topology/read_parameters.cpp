@@ -84,7 +84,9 @@ void check_parameter_name(Reading& reading, const YamlNode& node) {
     if (!is_reserved_in_expressions(node.key)) return;
     reading.diagnostics.error(node.key_place,
                               fmt::format("'{}' is not a valid parameter name", node.key),
-                              "it is a function or a constant of expressions");
+                              fmt::format("it is a function or a constant of expressions; "
+                                          "'{}_' would do",
+                                          node.key));
 }
 
 std::vector<Parameter> read_parameters(Reading& reading, const YamlNode* section) {
@@ -128,7 +130,8 @@ void warn_unused_parameters(Reading& reading, const std::vector<Parameter>& para
     for (const Parameter& p : parameters) {
         if (p.overridden || reading.parameters.used.contains(p.name.value)) continue;
         reading.diagnostics.warning(p.name.place,
-                                    fmt::format("parameter '{}' is never used", p.name.value));
+                                    fmt::format("parameter '{}' is never used", p.name.value),
+                                    "use it in an expression, or leave it out");
     }
     warn_unused_in_components(reading, of_instances);
 }

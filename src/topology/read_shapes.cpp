@@ -25,7 +25,9 @@ namespace {
 
 /// A maker's curve, or its fault told at the node that holds the data.
 MaybeCurve accept(Reading& reading, const YamlNode& node, CurveResult result) {
-    if (!result.curve) reading.diagnostics.error(node.place, result.error);
+    if (!result.curve) {
+        reading.diagnostics.error(node.place, result.error, usage_of(reading, node));
+    }
     return std::move(result.curve);
 }
 
@@ -34,7 +36,8 @@ MaybeCurve read_line(Reading& reading, const YamlNode& node) {
     const auto points = read_points(reading, node, "'line'");
     if (!points) return std::nullopt;
     if (!((*points)[0] == (*points)[1])) return straight_line((*points)[0], (*points)[1]);
-    reading.diagnostics.error(node.place, "the two points of this line are the same");
+    reading.diagnostics.error(node.place, "the two points of this line are the same",
+                              "a line is drawn between two different points");
     return std::nullopt;
 }
 
@@ -55,7 +58,10 @@ std::optional<PlaneAxes> read_plane(Reading& reading, const YamlNode& node) {
     const auto direction = read_point(reading, *normal, "'normal'");
     if (!direction) return std::nullopt;
     const auto axes = plane_axes(*direction);
-    if (!axes) reading.diagnostics.error(normal->place, "'normal' must not be zero");
+    if (!axes) {
+        reading.diagnostics.error(normal->place, "'normal' must not be zero",
+                                  usage_of(reading, *normal));
+    }
     return axes;
 }
 
@@ -165,7 +171,11 @@ MaybeCurve read_airfoil_curve(Reading& reading, const YamlNode& entry) {
     if (!file || !side || !close || !half) return std::nullopt;
     const AirfoilContent content = *half ? AirfoilContent::symmetric_half : AirfoilContent::section;
     CurveResult result = airfoil_from_text(file->text, content, {*side, *close, chord});
-    if (!result.curve) tell_file_fault(reading, name, file, result.error, result.line);
+    if (!result.curve) {
+        tell_file_fault(reading, name, file, result.error, result.line,
+                        "an airfoil's file has lines of x and y, from the trailing edge round the "
+                        "nose (Selig) or from the nose twice (Lednicer)");
+    }
     return std::move(result.curve);
 }
 
@@ -177,7 +187,8 @@ bool check_finite(Reading& reading, const YamlNode& node,
         const double t = begin + (end - begin) * i / samples;
         if (std::isfinite(formula(t))) continue;
         reading.diagnostics.error(node.place,
-                                  fmt::format("'{}' is not finite at t = {}", shown(node.text), t));
+                                  fmt::format("'{}' is not finite at t = {}", shown(node.text), t),
+                                  "change the formula, or take that t out of 'range'");
         return false;
     }
     return true;
@@ -210,7 +221,8 @@ MaybeCurve read_formula_curve(Reading& reading, const YamlNode& entry) {
     if (!sound || !begin || !end) return std::nullopt;
     if (*begin >= *end) {
         reading.diagnostics.error(
-            range->place, fmt::format("'range' must ascend, not run from {} to {}", *begin, *end));
+            range->place, fmt::format("'range' must ascend, not run from {} to {}", *begin, *end),
+            fmt::format("write [{}, {}]; 'reverse: true' runs the curve backwards", *end, *begin));
         return std::nullopt;
     }
     for (std::size_t i = 0; i < size; ++i) {

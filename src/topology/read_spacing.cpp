@@ -49,8 +49,8 @@ std::optional<SpacingEntry> contradiction(Reading& reading, const YamlNode& seco
 }
 
 std::optional<SpacingEntry> needs_size(Reading& reading, const YamlNode& node,
-                                       std::string_view message) {
-    reading.diagnostics.error(node.key_place, std::string(message));
+                                       std::string_view message, std::string_view hint) {
+    reading.diagnostics.error(node.key_place, std::string(message), std::string(hint));
     return std::nullopt;
 }
 
@@ -70,7 +70,8 @@ bool check_values(Reading& reading, const YamlNode& node, const std::vector<doub
         fault = fmt::format("the values must ascend, but {} follows {}", values[i], values[i - 1]);
     }
     if (!fault.empty())
-        reading.diagnostics.error(node.place, fmt::format("in {}: {}", what, fault));
+        reading.diagnostics.error(node.place, fmt::format("in {}: {}", what, fault),
+                                  "fractions of the edge ascend from 0 to 1: [0, 0.2, 0.5, 1]");
     return fault.empty();
 }
 
@@ -121,7 +122,8 @@ std::optional<SpacingEntry> read_explicit(Reading& reading, const YamlNode& node
     if (!node.is_scalar()) {
         reading.diagnostics.error(
             node.place,
-            fmt::format("{} must be a list or a formula of t, not {}", what, describe(node)));
+            fmt::format("{} must be a list or a formula of t, not {}", what, describe(node)),
+            usage_of(reading, node));
         return std::nullopt;
     }
     auto formula = read_formula(reading, node, what);
@@ -149,14 +151,16 @@ std::optional<SpacingEntry> read_tanh(Reading& reading, const YamlNode& node, co
                              "a ratio belongs to the law geometric");
     }
     if (!sizes.start && !sizes.end) {
-        return needs_size(reading, node, "the law tanh needs a size: 'start', 'end' or both");
+        return needs_size(reading, node, "the law tanh needs a size: 'start', 'end' or both",
+                          "write {start: SIZE}, the length of the first cell, or uniform");
     }
     TanhLaw law{sizes.start, sizes.end};
     if (sizes.natural || sizes.within) {
         if (!sizes.natural || !sizes.within || (sizes.start && sizes.end)) {
             return needs_size(
                 reading, node,
-                "'natural' and 'within' stand together, beside 'start' or 'end' alone");
+                "'natural' and 'within' stand together, beside 'start' or 'end' alone",
+                "as in {start: 1e-5, natural: 1.2e-6, within: 0.03}");
         }
         law.natural = {*sizes.natural, *sizes.within};
     }
@@ -175,7 +179,8 @@ std::optional<SpacingEntry> read_geometric(Reading& reading, const YamlNode& nod
         return contradiction(reading, *find(reading, node, "end"), "'start'", one_of_three);
     if (!sizes.ratio && !sizes.start && !sizes.end) {
         return needs_size(reading, node,
-                          "the law geometric needs one of 'ratio', 'start' and 'end'");
+                          "the law geometric needs one of 'ratio', 'start' and 'end'",
+                          "as in {law: geometric, ratio: 1.2}");
     }
     return GeometricLaw{sizes.ratio, sizes.start, sizes.end};
 }

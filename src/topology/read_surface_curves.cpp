@@ -120,7 +120,8 @@ MaybeCurve read_line_between(Reading& reading, const YamlNode& node, const Surfa
     const auto to = read_end(reading, node.children[1], surface);
     if (!from || !to) return std::nullopt;
     if (!(*from == *to)) return curve_on(surface, straight_line(*from, *to));
-    reading.diagnostics.error(node.place, "the two ends of this line are the same");
+    reading.diagnostics.error(node.place, "the two ends of this line are the same",
+                              "a line is drawn between two different points");
     return std::nullopt;
 }
 
@@ -131,7 +132,7 @@ MaybeCurve read_curve_through(Reading& reading, const YamlNode& entry, const Sur
     if (!points || !corner) return std::nullopt;
     const ProjectedCurve made = curve_through(surface, *points, *corner);
     if (!made.fault.empty()) {
-        reading.diagnostics.error(node.place, made.fault);
+        reading.diagnostics.error(node.place, made.fault, usage_of(reading, node));
         return std::nullopt;
     }
     if (!check_near(reading, node, (*points)[made.farthest], made.distance, made.size)) {

@@ -72,7 +72,8 @@ std::optional<double> read_parameter(Reading& reading, const YamlNode& node,
     reading.diagnostics.error(
         node.place,
         fmt::format("{} = {} is outside of the surface, where {} runs from {} to {}", name,
-                    number_text(at), name, number_text(range[0]), number_text(range[1])));
+                    number_text(at), name, number_text(range[0]), number_text(range[1])),
+        fmt::format("write a value from {} to {}", number_text(range[0]), number_text(range[1])));
     return std::nullopt;
 }
 
@@ -84,7 +85,8 @@ std::optional<Range> read_parameter_range(Reading& reading, const YamlNode& node
     const auto end = read_parameter(reading, node.children[1], name, range, closed);
     if (!begin || !end) return std::nullopt;
     if (*begin == *end) {
-        reading.diagnostics.error(node.place, fmt::format("the range of {} is empty", name));
+        reading.diagnostics.error(node.place, fmt::format("the range of {} is empty", name),
+                                  "it has two different ends");
         return std::nullopt;
     }
     const double period = range[1] - range[0];
@@ -93,9 +95,10 @@ std::optional<Range> read_parameter_range(Reading& reading, const YamlNode& node
     if (turn <= period * (1 + 1e-12)) {
         return Range{*begin, *begin + (*begin < *end ? period : -period)};
     }
-    reading.diagnostics.error(
-        node.place, fmt::format("the range of {} may not be longer than once round, {}", name,
-                                number_text(period)));
+    reading.diagnostics.error(node.place,
+                              fmt::format("the range of {} may not be longer than once round, {}",
+                                          name, number_text(period)),
+                              "without a range the curve goes once round");
     return std::nullopt;
 }
 

@@ -38,7 +38,8 @@ std::optional<Vec3> read_direction(Reading& reading, const YamlNode& mapping, st
     if (node == nullptr) return std::nullopt;
     const auto direction = read_point(reading, *node, fmt::format("'{}'", key));
     if (!direction || norm(*direction) > 0) return direction;
-    reading.diagnostics.error(node->place, fmt::format("'{}' must not be zero", key));
+    reading.diagnostics.error(node->place, fmt::format("'{}' must not be zero", key),
+                              usage_of(reading, *node));
     return std::nullopt;
 }
 
@@ -58,7 +59,8 @@ std::optional<std::array<double, 2>> require_range(Reading& reading, const YamlN
     if (!begin || !end) return std::nullopt;
     if (*begin < *end) return std::array{*begin, *end};
     reading.diagnostics.error(
-        node->place, fmt::format("{} must ascend, not run from {} to {}", what, *begin, *end));
+        node->place, fmt::format("{} must ascend, not run from {} to {}", what, *begin, *end),
+        fmt::format("write [{}, {}]; 'reverse: {}' runs it backwards", *end, *begin, key));
     return std::nullopt;
 }
 
@@ -75,7 +77,8 @@ bool check_finite(Reading& reading, const YamlNode& node, const FormulaOfTwo& fo
             if (std::isfinite(formula(u, v))) continue;
             reading.diagnostics.error(
                 node.place,
-                fmt::format("'{}' is not finite at u = {}, v = {}", shown(node.text), u, v));
+                fmt::format("'{}' is not finite at u = {}, v = {}", shown(node.text), u, v),
+                "change the formula, or take that place out of the ranges");
             return false;
         }
     }
@@ -142,7 +145,8 @@ std::optional<std::array<Vec3, 2>> read_axis_ends(Reading& reading, const YamlNo
     const auto to = require_point(reading, node, "to", of);
     if (!from || !to) return std::nullopt;
     if (!(*from == *to)) return std::array{*from, *to};
-    reading.diagnostics.error(find(reading, node, "to")->place, "'from' and 'to' are the same");
+    reading.diagnostics.error(find(reading, node, "to")->place, "'from' and 'to' are the same",
+                              "they are the two ends of the axis");
     return std::nullopt;
 }
 
@@ -167,7 +171,8 @@ MaybeSurface read_cone(Reading& reading, const YamlNode& entry, Shapes&) {
     const auto second = read_number(reading, radii->children[1], "a radius");
     if (!ends || !first || !second) return std::nullopt;
     if (*first >= 0 && *second >= 0) return cone((*ends)[0], (*ends)[1], *first, *second);
-    reading.diagnostics.error(radii->place, "a radius must not be negative");
+    reading.diagnostics.error(radii->place, "a radius must not be negative",
+                              "0 is the tip of the cone");
     return std::nullopt;
 }
 
@@ -196,7 +201,8 @@ MaybeSurface read_revolution(Reading& reading, const YamlNode& entry, Shapes& sh
         turn = read_positive(reading, *given, "'angle'");
         if (turn && *turn > full_turn * (1 + 1e-12)) {
             reading.diagnostics.error(given->place,
-                                      "a curve can be turned at most once round, by 2 * pi");
+                                      "a curve can be turned at most once round, by 2 * pi",
+                                      "angles are in radians: 90 degrees are pi / 2");
             return std::nullopt;
         }
     }

@@ -111,7 +111,8 @@ void read_sweep_and_mirror(Reading& reading, const YamlNode& root, Case& c) {
     if (revolve != nullptr) c.sweep = read_revolution(reading, *revolve);
     if (extrude != nullptr && revolve != nullptr) {
         reading.diagnostics.error(revolve->key_place,
-                                  "a case has either 'extrude' or 'revolve', not both");
+                                  "a case has either 'extrude' or 'revolve', not both",
+                                  "leave one out");
     }
     if (const YamlNode* mirror = find(reading, root, "mirror")) {
         c.mirror = read_mirror(reading, *mirror);

@@ -29,7 +29,8 @@ std::optional<Vec3> read_factors(Reading& reading, const YamlNode& node) {
         factors = Vec3{*factor, *factor, *factor};
     }
     if (factors && (factors->x == 0 || factors->y == 0 || factors->z == 0)) {
-        reading.diagnostics.error(node.place, "a factor of 'scale' must not be zero");
+        reading.diagnostics.error(node.place, "a factor of 'scale' must not be zero",
+                                  "1 leaves a direction as it is");
         return std::nullopt;
     }
     return factors;
@@ -40,7 +41,8 @@ std::optional<Vec3> read_direction(Reading& reading, const YamlNode& node,
                                    const std::string& what) {
     const std::optional<Vec3> direction = read_point(reading, node, what);
     if (!direction || norm(*direction) > 0) return direction;
-    reading.diagnostics.error(node.place, fmt::format("{} must not be zero", what));
+    reading.diagnostics.error(node.place, fmt::format("{} must not be zero", what),
+                              usage_of(reading, node));
     return std::nullopt;
 }
 

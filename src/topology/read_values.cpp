@@ -29,44 +29,32 @@ std::optional<double> tell_fault(Reading& reading, const YamlNode& node,
 bool expect_scalar(Reading& reading, const YamlNode& node, const std::string& what,
                    std::string_view expected) {
     if (node.is_scalar() && !node.text.empty()) return true;
+    const std::string usage = usage_of(reading, node);
     reading.diagnostics.error(node.place,
-                              fmt::format("{} must be {}, not {}", what, expected, describe(node)));
+                              fmt::format("{} must be {}, not {}", what, expected, describe(node)),
+                              usage.empty() ? fmt::format("write {} here", expected) : usage);
     return false;
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
+/// The whole numbers beside a value, as they are written.
+std::string rounding_hint(const YamlNode& node, double value) {
+    const bool plain = node.text.find_first_not_of("0123456789.eE+-") == std::string::npos;
+    if (!plain) return fmt::format("round it: 'floor({0})' or 'ceil({0})'", shown(node.text));
+    if (value < 1) return "write 1 or more";
+    return fmt::format("write {:.0f} or {:.0f}", std::floor(value), std::ceil(value));
 }
 
-bool is_name(std::string_view text, std::string_view further) {
-    const auto letter = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    };
-    return !text.empty() && letter(text.front()) &&
-           std::all_of(text.begin(), text.end(), [&](char c) {
-               return letter(c) || is_digit(c) || further.find(c) != std::string::npos;
-           });
-}
-
-/// YAML 1.1 reads these as truth values: other programs would take such a name for one.
-bool is_yaml_switch(const std::string& text) {
-    static constexpr std::array<std::string_view, 9> words{"y",   "n",    "yes",   "no",  "on",
-                                                           "off", "true", "false", "null"};
+/// What a word stands for that YAML 1.1 reads as a truth value; empty for others.
+std::string meant_truth(const std::string& text) {
     std::string lower = text;
     for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return std::find(words.begin(), words.end(), lower) != words.end();
-}
-
-void tell_unknown_key(Reading& reading, const YamlNode& mapping, const YamlNode& child,
-                      const std::string& what, const Keys& keys) {
-    const bool decimals = child.is_null() && !child.key.empty() && is_digit(child.key.front());
-    const std::string meant = nearest_name(child.key, {keys.begin(), keys.end()});
-    if (!meant.empty()) reading.misspelled.push_back({&mapping, &child, meant});
-    reading.diagnostics.error(child.key_place,
-                              fmt::format("unknown key '{}' in {}", shown(child.key), what),
-                              decimals ? "a comma separates entries; the decimal separator is "
-                                         "the point"
-                                       : suggestion(child.key, keys, "keys here are"));
+    for (const char* word : {"true", "yes", "on", "1"}) {
+        if (lower == word) return "true";
+    }
+    for (const char* word : {"false", "no", "off", "0"}) {
+        if (lower == word) return "false";
+    }
+    return {};
 }
 
 }  // namespace
@@ -99,78 +87,6 @@ Place place_in(const YamlNode& node, std::size_t offset, std::size_t length) {
     return place;
 }
 
-std::string suggestion(const std::string& name, const Keys& known, std::string_view label) {
-    const std::string nearest = nearest_name(name, {known.begin(), known.end()});
-    if (!nearest.empty()) return fmt::format("did you mean '{}'?", nearest);
-    return fmt::format("{} {}", label, fmt::join(known, ", "));
-}
-
-bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& what,
-                    const FormatNames& formats, const std::vector<RefusedKey>& refused) {
-    const Keys keys = keys_of(formats);
-    if (!node.is_mapping()) {
-        reading.diagnostics.error(node.place,
-                                  fmt::format("{} must be a mapping, not {}", what, describe(node)),
-                                  fmt::format("its keys are {}", fmt::join(keys, ", ")));
-        return false;
-    }
-    for (const YamlNode& child : node.children) {
-        if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
-        const auto special = std::find_if(refused.begin(), refused.end(),
-                                          [&](const RefusedKey& r) { return r.key == child.key; });
-        if (special != refused.end()) {
-            reading.diagnostics.error(child.key_place, std::string(special->message),
-                                      std::string(special->hint));
-        } else {
-            tell_unknown_key(reading, node, child, what, keys);
-        }
-    }
-    return true;
-}
-
-const YamlNode* find(const Reading& reading, const YamlNode& mapping, std::string_view key) {
-    if (const YamlNode* value = mapping.find(key)) return value;
-    const auto meant = std::find_if(
-        reading.misspelled.begin(), reading.misspelled.end(),
-        [&](const MisspelledKey& m) { return m.mapping == &mapping && m.meant == key; });
-    return meant == reading.misspelled.end() ? nullptr : meant->value;
-}
-
-bool has_misspelled(const Reading& reading, const YamlNode& mapping) {
-    return std::any_of(reading.misspelled.begin(), reading.misspelled.end(),
-                       [&](const MisspelledKey& m) { return m.mapping == &mapping; });
-}
-
-const YamlNode* require(Reading& reading, const YamlNode& mapping, std::string_view key,
-                        const std::string& what) {
-    const YamlNode* value = find(reading, mapping, key);
-    if (value == nullptr) tell_lacking(reading, mapping, {key}, what);
-    return value;
-}
-
-void tell_lacking(Reading& reading, const YamlNode& mapping, const Keys& keys,
-                  const std::string& what) {
-    std::vector<std::string> lacking;
-    for (const std::string_view key : keys) {
-        if (find(reading, mapping, key) != nullptr) continue;
-        lacking.push_back(fmt::format("'{}'", key));
-    }
-    if (lacking.empty()) return;
-    reading.diagnostics.error(mapping.key_place.line > 0 ? mapping.key_place : mapping.place,
-                              fmt::format("{} lacks the key{} {}", what,
-                                          lacking.size() > 1 ? "s" : "", fmt::join(lacking, ", ")));
-}
-
-bool expect_list(Reading& reading, const YamlNode& node, const std::string& what,
-                 std::size_t count) {
-    if (node.is_sequence() && (count == 0 || node.children.size() == count)) return true;
-    const std::string size = count == 0 ? "a list" : fmt::format("a list of {}", count);
-    const std::string found =
-        node.is_sequence() ? fmt::format("of {}", node.children.size()) : describe(node);
-    reading.diagnostics.error(node.place, fmt::format("{} must be {}, not {}", what, size, found));
-    return false;
-}
-
 std::optional<double> read_number(Reading& reading, const YamlNode& node, const std::string& what) {
     if (!expect_scalar(reading, node, what, "a number or an expression")) return std::nullopt;
     const auto result = evaluate(node.text, parameters_at(reading, node));
@@ -184,9 +100,10 @@ std::optional<double> read_positive(Reading& reading, const YamlNode& node,
     if (!value || *value > 0) return value;
     const std::string shown = fmt::format("{}", *value);
     reading.diagnostics.error(
-        node.place, shown == node.text
-                        ? fmt::format("{} must be positive, not {}", what, shown)
-                        : fmt::format("{} must be positive; '{}' is {}", what, node.text, shown));
+        node.place,
+        shown == node.text ? fmt::format("{} must be positive, not {}", what, shown)
+                           : fmt::format("{} must be positive; '{}' is {}", what, node.text, shown),
+        usage_of(reading, node));
     return std::nullopt;
 }
 
@@ -199,7 +116,8 @@ std::optional<int> read_count(Reading& reading, const YamlNode& node, const std:
     const std::string is = shown == node.text ? fmt::format(", not {}", shown)
                                               : fmt::format("; '{}' is {}", node.text, shown);
     if (std::abs(*value - whole) > 1e-9 * std::max(1.0, std::abs(whole))) {
-        reading.diagnostics.error(node.place, fmt::format("{} must be a whole number{}", what, is));
+        reading.diagnostics.error(node.place, fmt::format("{} must be a whole number{}", what, is),
+                                  rounding_hint(node, *value));
         return std::nullopt;
     }
     if (whole < 1 || whole > largest_count) {
@@ -207,7 +125,7 @@ std::optional<int> read_count(Reading& reading, const YamlNode& node, const std:
         reading.diagnostics.error(node.place,
                                   fmt::format("{} must lie between 1 and {}{}", what,
                                               static_cast<int>(largest_count), is),
-                                  tell ? too_many(whole) : "");
+                                  tell ? too_many(whole) : usage_of(reading, node));
         return std::nullopt;
     }
     return static_cast<int>(whole);
@@ -270,8 +188,10 @@ std::optional<bool> read_switch(Reading& reading, const YamlNode& mapping, std::
     if (node == nullptr) return false;
     if (node->is_scalar() && node->text == "true") return true;
     if (node->is_scalar() && node->text == "false") return false;
+    const std::string meant = node->is_scalar() ? meant_truth(node->text) : "";
     reading.diagnostics.error(
-        node->place, fmt::format("'{}' must be true or false, not {}", key, describe(*node)));
+        node->place, fmt::format("'{}' must be true or false, not {}", key, describe(*node)),
+        meant.empty() ? usage_of(reading, *node) : fmt::format("write {}: {}", key, meant));
     return std::nullopt;
 }
 
@@ -291,72 +211,6 @@ std::optional<std::size_t> read_choice(Reading& reading, const YamlNode& node,
     reading.diagnostics.error(node.place, fmt::format("{} cannot be '{}'", what, shown(node.text)),
                               suggestion(node.text, choices, "it is one of"));
     return std::nullopt;
-}
-
-bool check_new_name(Reading& reading, const YamlNode& node, const std::string& kind,
-                    std::size_t longest) {
-    const std::string name = local_name(node.key, node.scope);
-    if (!is_name(name, "")) {
-        reading.diagnostics.error(
-            node.key_place, fmt::format("'{}' is not a valid {} name", shown(name), kind),
-            "a name has letters (a-z, A-Z), digits and underscores, and no digit first");
-    } else if (is_yaml_switch(name)) {
-        reading.diagnostics.error(node.key_place,
-                                  fmt::format("'{}' is not a valid {} name", shown(name), kind),
-                                  "other YAML programs read it as true, false or null");
-    } else if (node.key.size() > longest) {
-        reading.diagnostics.error(
-            node.key_place,
-            fmt::format("the name of this {} has {} characters; at most {} are allowed", kind,
-                        node.key.size(), longest),
-            name == node.key ? "" : fmt::format("it is '{}' in full", shown(node.key)));
-    } else {
-        return true;
-    }
-    return false;
-}
-
-Name read_name(Reading& reading, const YamlNode& node, const std::string& what) {
-    if (node.is_scalar() && is_name(node.text, "-.")) {
-        return {qualified(node.text, node.scope), node.place};
-    }
-    reading.diagnostics.error(node.place,
-                              fmt::format("{} must be a name, not {}", what, describe(node)));
-    return {{}, node.place};
-}
-
-std::vector<Name> read_names(Reading& reading, const YamlNode& node, const std::string& what) {
-    if (!node.is_sequence()) return {read_name(reading, node, what)};
-    std::vector<Name> names;
-    for (const YamlNode& item : node.children) {
-        Name name = read_name(reading, item, fmt::format("a name of {}", what));
-        const bool again = std::any_of(names.begin(), names.end(), [&](const Name& other) {
-            return !name.value.empty() && other.value == name.value;
-        });
-        if (again) {
-            reading.diagnostics.error(item.place,
-                                      fmt::format("{} names '{}' twice", what, name.value));
-            name.value.clear();
-        }
-        names.push_back(std::move(name));
-    }
-    if (!names.empty()) return names;
-    reading.diagnostics.error(node.place, fmt::format("{} names nothing", what));
-    return {Name{{}, node.place}};
-}
-
-SignedName read_signed_name(Reading& reading, const YamlNode& node, const std::string& what) {
-    const char sign = node.is_scalar() && !node.text.empty() ? node.text.front() : ' ';
-    if (sign != '-' && sign != '+') {
-        return {read_name(reading, node, what).value, false, false, node.place};
-    }
-    const std::string name = node.text.substr(1);
-    if (is_name(name, "-.")) {
-        return {qualified(name, node.scope), sign == '-', true, node.place};
-    }
-    reading.diagnostics.error(node.place,
-                              fmt::format("{} must be a name, not {}", what, describe(node)));
-    return {{}, false, false, node.place};
 }
 
 }  // namespace hexweave

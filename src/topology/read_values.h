@@ -18,6 +18,7 @@
 #include "topology/expressions.h"
 #include "topology/format_table.h"
 #include "topology/source_text.h"
+#include "topology/suggestions.h"
 #include "topology/yaml_tree.h"
 
 namespace hexweave {
@@ -32,12 +33,19 @@ struct MisspelledKey {
     std::string meant;
 };
 
+/// What expect_mapping knew of the mappings that it saw: for the hints about their values.
+struct SeenMappings {
+    std::map<const YamlNode*, FormatNames> formats{};      ///< by mapping
+    std::map<const YamlNode*, const KeyFormat*> key_of{};  ///< by value of a key that was known
+};
+
 /// What all parts of reading share.
 struct Reading {
     Diagnostics& diagnostics;
     std::shared_ptr<const SourceFile> source;
     ParameterScope parameters{};
     std::vector<MisspelledKey> misspelled{};
+    SeenMappings seen{};
     std::string units = "m";  ///< of the case's lengths
     /// CAD files by their path; null where a fault has been told.
     std::map<std::string, std::shared_ptr<const CadFile>> cad_files{};
@@ -71,6 +79,11 @@ bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& w
                     const FormatNames& formats, const std::vector<RefusedKey>& refused = {});
 /// The value of a key, after expect_mapping; null where it is not there.
 const YamlNode* find(const Reading& reading, const YamlNode& mapping, std::string_view key);
+/// How the key of a value is written, for a hint, after expect_mapping; empty where the value is of
+/// none.
+std::string usage_of(const Reading& reading, const YamlNode& value);
+/// Forgets the mappings that are seen, but for `kept`: nodes that are no more.
+void forget_mappings(Reading& reading, const YamlNode& kept);
 /// Whether expect_mapping found misspelled keys there.
 bool has_misspelled(const Reading& reading, const YamlNode& mapping);
 /// The value of a key that must be there; after expect_mapping.
@@ -121,8 +134,5 @@ Name read_name(Reading& reading, const YamlNode& node, const std::string& what);
 SignedName read_signed_name(Reading& reading, const YamlNode& node, const std::string& what);
 /// One name or a list of different ones; an empty name among them after an error. Not empty.
 std::vector<Name> read_names(Reading& reading, const YamlNode& node, const std::string& what);
-
-/// "did you mean 'x'?", or else "LABEL a, b, c".
-std::string suggestion(const std::string& name, const Keys& known, std::string_view label);
 
 }  // namespace hexweave

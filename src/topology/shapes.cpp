@@ -98,7 +98,8 @@ std::shared_ptr<const Shape> use(Shapes& shapes, std::vector<ShapeOfFile<Shape>>
     descent = std::max(descent, entry->descent + 1);
     if (!too_deep && descent <= longest_descent) return seen_from(*entry, node.scope);
     shapes.reading.diagnostics.error(
-        node.place, fmt::format("more than {} shapes are made of one another", longest_descent));
+        node.place, fmt::format("more than {} shapes are made of one another", longest_descent),
+        "transform the first of them at once");
     return nullptr;
 }
 

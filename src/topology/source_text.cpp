@@ -50,8 +50,10 @@ bool check_characters(const SourcePlaces& places, Diagnostics& diagnostics) {
             return false;
         }
         if (is_control(text.substr(at))) {
-            diagnostics.error(places.at(at), fmt::format("control character 0x{:02X} in the text",
-                                                         static_cast<unsigned char>(text[at])));
+            diagnostics.error(places.at(at),
+                              fmt::format("control character 0x{:02X} in the text",
+                                          static_cast<unsigned char>(text[at])),
+                              "remove it");
             return false;
         }
         at += bytes;

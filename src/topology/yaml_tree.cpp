@@ -99,7 +99,7 @@ public:
         const bool quote = !source.empty() && (source.front() == '"' || source.front() == '\'');
         if (node.quoted && quote) {
             const std::size_t end = end_of_quoted(source, 0);
-            if (end == std::string_view::npos) end_with_open_quote(node.place);
+            if (end == std::string_view::npos) end_with_open_quote(node.place, source.front());
             if (source.substr(1, end - 2) == value) node.text_column = node.place.column + 1;
             node.place.length = count_characters(first_line(source.substr(0, end)));
         } else if (source.substr(0, value.size()) == value) {
@@ -119,12 +119,14 @@ public:
         const auto found = anchors_.find(anchor);
         if (found == anchors_.end()) {
             diagnostics_.error(
-                here, fmt::format("the alias '{}' stands inside of its own anchor", written));
+                here, fmt::format("the alias '{}' stands inside of its own anchor", written),
+                "write out what it stands for");
             throw ParsingEnded{};
         }
         aliased_ += count_nodes(found->second);
         if (aliased_ > maximum_aliased) {
-            diagnostics_.error(here, "aliases inside of aliases make this file too large");
+            diagnostics_.error(here, "aliases inside of aliases make this file too large",
+                               "write out what they stand for, or repeat with 'repeat'");
             throw ParsingEnded{};
         }
         YamlNode node = found->second;
@@ -176,7 +178,8 @@ private:
         node.flow = style == YAML::EmitterStyle::Flow;
         if (open_.size() >= maximum_depth) {
             diagnostics_.error(node.node.place,
-                               fmt::format("nested more than {} deep", maximum_depth));
+                               fmt::format("nested more than {} deep", maximum_depth),
+                               "no case needs that; check the brackets");
             throw ParsingEnded{};
         }
         if (!tag.empty() && tag != "?" && tag != "!") refuse_tag(place(mark), tag);
@@ -212,7 +215,7 @@ private:
 
     void set_key(OpenNode& parent, const YamlNode& node) {
         if (!node.is_scalar()) {
-            diagnostics_.error(node.place, "a key must be a name");
+            diagnostics_.error(node.place, "a key must be a name", "write NAME: VALUE");
             throw ParsingEnded{};
         }
         parent.has_key = true;
@@ -225,7 +228,8 @@ private:
         const auto [first, is_new] = parent.keys.emplace(parent.key, parent.key_place);
         if (!is_new) {
             Diagnostic& d = diagnostics_.error(
-                parent.key_place, fmt::format("the key '{}' is given twice", shown(parent.key)));
+                parent.key_place, fmt::format("the key '{}' is given twice", shown(parent.key)),
+                "leave one out, or give it another name");
             d.notes.push_back({first->second, "first given here"});
             return;
         }
@@ -245,8 +249,9 @@ private:
         throw ParsingEnded{};
     }
 
-    [[noreturn]] void end_with_open_quote(const Place& where) {
-        diagnostics_.error(where, "the quote that opens here is never closed");
+    [[noreturn]] void end_with_open_quote(const Place& where, char quote) {
+        diagnostics_.error(where, "the quote that opens here is never closed",
+                           fmt::format("close it with {}", quote));
         throw ParsingEnded{};
     }
 
@@ -344,7 +349,8 @@ std::optional<YamlNode> read_yaml(const std::shared_ptr<const SourceFile>& sourc
     if (!handle_document(parser, places, builder, diagnostics, found)) return std::nullopt;
     YamlNode root = builder.take_root();
     if (!found || root.is_null()) {
-        diagnostics.error({source, 0, 0, 1}, "the file is empty");
+        diagnostics.error({source, 0, 0, 1}, "the file is empty",
+                          "`hexweave init NAME` writes a case to begin with");
         return std::nullopt;
     }
     if (!check_nothing_follows(parser, places, diagnostics)) return std::nullopt;

@@ -197,12 +197,14 @@ TEST_CASE("faulty overrides show the argument") {
     CHECK(shown({"far", "2"}) ==
           "--set:1:1: error: the parameter 'far' is set twice\n"
           "far=1\n"
-          "^~~\n");
+          "^~~\n"
+          "  hint: leave one out\n");
     CHECK(shown({"chord", ""}) ==
           "--set:1:7: error: parameter 'chord' must be a number or an expression, not an empty "
           "text\n"
           "chord=\n"
-          "      ^\n");
+          "      ^\n"
+          "  hint: write a number or an expression here\n");
     CHECK(read_text(text, {{"chord", "2"}}).diagnostics.all().size() == 1);
     CHECK(render(read_text(minimal(""), {{"a", "1"}}).diagnostics) ==
           "--set:1:1: error: unknown parameter 'a'\n"

@@ -148,9 +148,11 @@ TEST_CASE("a face over surfaces of which one is unknown is told with the nearest
     CHECK(first_error(on_ball(near_corners, edges_on_halves, "[right, lefd]")) ==
           "20: error: unknown surface 'lefd'\n  hint: did you mean 'left'?\n");
     CHECK(first_error(on_ball(near_corners, edges_on_halves, "[right, right]")) ==
-          "20: error: 'surface' names 'right' twice\n");
+          "20: error: 'surface' names 'right' twice\n  hint: name it once\n");
     CHECK(first_error(on_ball(near_corners, edges_on_halves, "[]")) ==
-          "20: error: 'surface' names nothing\n");
+          "20: error: 'surface' names nothing\n"
+          "  hint: as in 'surface: wing' (that it lies on; of several every point is on the "
+          "nearest, first the first)\n");
 }
 
 TEST_CASE(
