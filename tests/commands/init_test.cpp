@@ -2,15 +2,17 @@
 // The first thing that a new user does: a config to begin with, which runs.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/commands/program.h"
 
 using namespace hexweave::testing;
+using Json = nlohmann::json;
 
 TEST_CASE("every starter config runs sound, without a warning, and can be drawn") {
     const Scratch scratch;
-    for (const std::string name : {"airfoil", "channel", "pipe"}) {
+    for (const std::string name : {"airfoil", "channel", "pipe", "wing"}) {
         INFO(name);
         const Finished init = scratch.hexweave("init my_" + name + " --template " + name);
         INFO(init.out << init.err);
@@ -18,11 +20,16 @@ TEST_CASE("every starter config runs sound, without a warning, and can be drawn"
         const std::string text = scratch.read("my_" + name + ".yaml");
         CHECK(text.find("hexweave run my_" + name + ".yaml") != std::string::npos);
         CHECK(text.find("NAME") == std::string::npos);
-        const Finished run = scratch.hexweave("run --strict my_" + name + ".yaml");
+        const Finished run =
+            scratch.hexweave("run --strict my_" + name + ".yaml --json run.json");
         INFO(run.out << run.err);
         CHECK(run.exit_code == 0);
         CHECK(run.err.find("warning") == std::string::npos);
         CHECK(run.out.find("none folded") != std::string::npos);
+        const Json report = Json::parse(scratch.read("run.json"))["report"];
+        for (const Json& zone : report["zones"]) {
+            CHECK(zone["worst_scaled_jacobian"].get<double>() > 0.25);
+        }
         CHECK(scratch.has("my_" + name + ".cgns"));
         CHECK(scratch.hexweave("graph my_" + name + ".yaml -o a.svg").exit_code == 0);
     }
