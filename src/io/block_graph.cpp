@@ -10,6 +10,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "io/graph_lines.h"
+
 namespace hexweave {
 namespace {
 
@@ -80,39 +82,43 @@ std::vector<PagePoint> node_places(const Topology& topology, const TopologyLayou
     return places;
 }
 
-/// A line between two blocks, bent a little more for each that they share already; a loop where a
-/// block meets itself.
-Polyline link(const PagePoint& a, const PagePoint& b, int earlier) {
-    Polyline line;
-    const PagePoint d{b.x - a.x, b.y - a.y};
-    const bool loop = d.x == 0 && d.y == 0;
-    const double bend = 0.16 * ((earlier + 1) / 2) * (earlier % 2 == 0 ? 1 : -1);
-    for (int n = 0; n <= 32; ++n) {
-        const double t = n / 32.0;
-        const double angle = 2 * std::numbers::pi * t;
-        const double size = 34 + 12 * earlier;
-        const double arch = 4 * t * (1 - t) * bend;
-        line.push_back(
-            loop ? PagePoint{a.x + size * std::sin(angle), a.y - size * (1 - std::cos(angle))}
-                 : PagePoint{a.x + t * d.x - arch * d.y, a.y + t * d.y + arch * d.x});
-    }
-    return line;
+struct Links {
+    const Topology& topology;
+    const std::vector<PagePoint>& places;
+    std::map<std::pair<int, int>, int> between{};  ///< lines so far, by the two blocks
+};
+
+void append_link(Links& links, const SideOfBlock& from, const SideOfBlock& to,
+                 const std::string& name, bool periodic, Drawing& drawing, LabelPlacement& labels) {
+    const auto ends = std::minmax(from.block, to.block);
+    const Polyline line = link_line(links.places[static_cast<std::size_t>(ends.first)],
+                                    links.places[static_cast<std::size_t>(ends.second)],
+                                    links.between[{ends.first, ends.second}]++);
+    const Colour colour = periodic ? periodic_colour : pencil;
+    drawing.items.emplace_back(
+        Stroke{periodic ? dashes(line) : std::vector<Polyline>{line}, colour, 1.5});
+    labels.avoid(line);
+    labels.place({name, letters - 1, colour},
+                 {point_on(line, 0.5).at, point_on(line, 0.4).at, point_on(line, 0.6).at,
+                  point_on(line, 0.3).at, point_on(line, 0.7).at});
 }
 
+/// A line for every face that two sides of blocks share, and for every pair of periodic ones.
 void append_links(const Topology& topology, const std::vector<PagePoint>& places, Drawing& drawing,
                   LabelPlacement& labels) {
-    std::map<std::pair<int, int>, int> between;
-    for (const auto& [face, uses] : uses_of_faces(topology)) {
-        if (uses.size() != 2) continue;
-        const auto ends = std::minmax(uses[0].block, uses[1].block);
-        const Polyline line = link(places[static_cast<std::size_t>(ends.first)],
-                                   places[static_cast<std::size_t>(ends.second)],
-                                   between[{ends.first, ends.second}]++);
-        drawing.items.emplace_back(Stroke{{line}, pencil, 1.5});
-        labels.avoid(line);
-        labels.place({topology.faces[static_cast<std::size_t>(face)].name, letters - 1, pencil},
-                     {point_on(line, 0.5).at, point_on(line, 0.4).at, point_on(line, 0.6).at,
-                      point_on(line, 0.3).at, point_on(line, 0.7).at});
+    Links links{topology, places};
+    const std::map<int, std::vector<SideOfBlock>> uses = uses_of_faces(topology);
+    const auto name = [&](int face) { return topology.faces[static_cast<std::size_t>(face)].name; };
+    for (const auto& [face, sides] : uses) {
+        if (sides.size() != 2) continue;
+        append_link(links, sides[0], sides[1], name(face), false, drawing, labels);
+    }
+    for (const PeriodicInterface& interface : topology.periodic) {
+        for (const PeriodicPair& pair : interface.pairs) {
+            append_link(links, uses.at(pair.from).front(), uses.at(pair.to).front(),
+                        fmt::format("{} = {}", name(pair.from), name(pair.to)), true, drawing,
+                        labels);
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which blocks share which faces, as a graph: a circle per block, a line per shared face, a square
-// per free side in the colour of its family.
+// Which blocks share which faces, as a graph: a circle per block, a line per shared face (a loop
+// where a block meets itself, broken where the pair is periodic), a square per free side in the
+// colour of its family.
 #pragma once
 
 #include <vector>

@@ -72,6 +72,9 @@ struct Drawing {
 /// The width of a text in pixels.
 double text_width(const std::string& text, double size, bool bold = false);
 
+/// The path data of a line, as SVG has it, to a hundredth of a pixel.
+std::string svg_path(const Polyline& line);
+
 /// Writes a file as a whole. Throws MachineError, naming the path and the reason, when it cannot be
 /// written; so do the two below.
 void write_bytes(const std::string& bytes, const std::filesystem::path& path);

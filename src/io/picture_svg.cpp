@@ -104,6 +104,13 @@ void append(std::string& text, const Label& label) {
 
 }  // namespace
 
+std::string svg_path(const Polyline& line) {
+    std::string text;
+    append_path(text, line, false);
+    text.pop_back();
+    return text;
+}
+
 void write_svg(const Drawing& drawing, const std::filesystem::path& path) {
     std::string text = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -11,16 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "io/graph_lines.h"
 #include "io/picture_colours.h"
+#include "io/picture_drawing.h"
 
 namespace hexweave {
 
 namespace {
-
-struct Spot {
-    double x = 0;
-    double y = 0;
-};
 
 using Pair = std::pair<int, int>;
 
@@ -39,8 +36,8 @@ std::map<Pair, std::vector<const Interface*>> joins_of(const MultiblockGrid& gri
 
 /// One step of the forces of Fruchterman and Reingold: all zones push each other away, joined ones
 /// pull each other together; no zone moves farther than `reach`.
-void relax(std::vector<Spot>& spots, const std::vector<Pair>& joined, double reach) {
-    std::vector<Spot> force(spots.size());
+void relax(std::vector<PagePoint>& spots, const std::vector<Pair>& joined, double reach) {
+    std::vector<PagePoint> force(spots.size());
     const auto push = [&](std::size_t a, std::size_t b, double strength) {
         const double dx = spots[a].x - spots[b].x;
         const double dy = spots[a].y - spots[b].y;
@@ -65,9 +62,9 @@ void relax(std::vector<Spot>& spots, const std::vector<Pair>& joined, double rea
     }
 }
 
-std::vector<Spot> place_zones(std::size_t count, const std::vector<Pair>& joined) {
+std::vector<PagePoint> place_zones(std::size_t count, const std::vector<Pair>& joined) {
     constexpr double turn = 6.283185307179586;
-    std::vector<Spot> spots(count);
+    std::vector<PagePoint> spots(count);
     const double radius = spring_length * std::max(1.0, static_cast<double>(count) / 6);
     for (std::size_t n = 0; n < count; ++n) {
         const double angle = turn * static_cast<double>(n) / static_cast<double>(count);
@@ -82,14 +79,14 @@ std::vector<Spot> place_zones(std::size_t count, const std::vector<Pair>& joined
     return spots;
 }
 
-void move_to_margins(std::vector<Spot>& spots, double& width, double& height) {
-    Spot low = spots.front();
-    Spot high = spots.front();
-    for (const Spot& s : spots) {
+void move_to_margins(std::vector<PagePoint>& spots, double& width, double& height) {
+    PagePoint low = spots.front();
+    PagePoint high = spots.front();
+    for (const PagePoint& s : spots) {
         low = {std::min(low.x, s.x), std::min(low.y, s.y)};
         high = {std::max(high.x, s.x), std::max(high.y, s.y)};
     }
-    for (Spot& s : spots) s = {s.x - low.x + margin, s.y - low.y + margin};
+    for (PagePoint& s : spots) s = {s.x - low.x + margin, s.y - low.y + margin};
     width = high.x - low.x + 2 * margin;
     height = high.y - low.y + 2 * margin;
 }
@@ -111,15 +108,12 @@ std::string join_text(const MultiblockGrid& grid, const std::vector<const Interf
     return escape_html(text);
 }
 
-std::string draw_join(const MultiblockGrid& grid, const std::vector<Spot>& spots, const Pair& pair,
-                      const std::vector<const Interface*>& interfaces) {
-    const Spot a = spots[static_cast<std::size_t>(pair.first)];
-    const Spot b = spots[static_cast<std::size_t>(pair.second)];
+std::string draw_join(const MultiblockGrid& grid, const std::vector<PagePoint>& spots,
+                      const Pair& pair, const std::vector<const Interface*>& interfaces) {
     const bool periodic = std::any_of(interfaces.begin(), interfaces.end(),
                                       [](const Interface* i) { return i->periodic.has_value(); });
-    const std::string path = pair.first == pair.second
-                                 ? fmt::format("M{:.1f},{:.1f} c-60,-70 60,-70 0,0", a.x, a.y - 8)
-                                 : fmt::format("M{:.1f},{:.1f} L{:.1f},{:.1f}", a.x, a.y, b.x, b.y);
+    const std::string path = svg_path(link_line(spots[static_cast<std::size_t>(pair.first)],
+                                                spots[static_cast<std::size_t>(pair.second)], 0));
     return fmt::format(
         "<path class=\"join{}\" d=\"{}\" stroke-width=\"{}\"><title>{}</title></path>\n",
         periodic ? " periodic" : "", path, std::min<std::size_t>(interfaces.size(), 4) + 1,
@@ -135,7 +129,7 @@ std::set<int> families_of(const MultiblockGrid& grid, int zone) {
     return families;
 }
 
-std::string draw_zone(const MultiblockGrid& grid, int index, const Spot& at) {
+std::string draw_zone(const MultiblockGrid& grid, int index, const PagePoint& at) {
     const Zone& zone = grid.zones[static_cast<std::size_t>(index)];
     const Extent& e = zone.points.extent();
     const std::string name = escape_html(zone.name);
@@ -194,7 +188,7 @@ std::string topology_graph(const MultiblockGrid& grid) {
     for (const auto& [pair, interfaces] : joins) {
         if (pair.first != pair.second) joined.push_back(pair);
     }
-    std::vector<Spot> spots = place_zones(grid.zones.size(), joined);
+    std::vector<PagePoint> spots = place_zones(grid.zones.size(), joined);
     double width = 0;
     double height = 0;
     move_to_margins(spots, width, height);

@@ -8,8 +8,11 @@
 #include <cmath>
 
 #include "io/block_graph.h"
+#include "io/graph_lines.h"
 #include "io/label_placement.h"
 #include "io/topology_layout.h"
+#include "io/topology_legend.h"
+#include "io/topology_text.h"
 
 namespace hexweave {
 namespace {
@@ -89,15 +92,43 @@ void append_directions(Page& page) {
     }
 }
 
+/// The two sides of every periodic pair broken, and an arrow from the one to the other.
+void append_periodic(Page& page) {
+    const Topology& topology = page.topology;
+    if (topology.is_3d()) return;  // the graph beside the drawing tells
+    const auto line = [&](int edge) -> const Polyline& {
+        return page.layout.edges[static_cast<std::size_t>(edge)];
+    };
+    for (const PeriodicInterface& interface : topology.periodic) {
+        for (const PeriodicPair& pair : interface.pairs) {
+            for (const int edge : {pair.from, pair.to}) {
+                page.drawing.items.emplace_back(Stroke{{line(edge)}, white, 3});
+                page.drawing.items.emplace_back(Stroke{dashes(line(edge)), periodic_colour, 3});
+            }
+            const Polyline way =
+                link_line(point_on(line(pair.from), 0.4).at,
+                          point_on(line(pair.to), pair.orientation.axes[0] < 0 ? 0.6 : 0.4).at, 0);
+            page.drawing.items.emplace_back(Stroke{dashes(way), periodic_colour, 1});
+            page.drawing.items.emplace_back(
+                Fill{{arrow_head(point_on(way, 0.99), 9)}, periodic_colour});
+            const LabelText text{interface.name, letters - 1, periodic_colour};
+            page.labels.place(text, places_beside(way, text));
+        }
+    }
+}
+
 void append_edges(Page& page) {
     const Topology& topology = page.topology;
     const std::vector<int> counts = face_counts(topology);
     const std::vector<int> families = topology.is_3d() ? std::vector<int>(topology.edges.size(), -1)
                                                        : families_of_sides(topology);
+    const std::vector<bool> cut =
+        topology.is_3d() ? std::vector<bool>(families.size(), false) : cut_edges(topology);
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         if (topology.edges[e].pole || counts[e] == 0) continue;
         const Polyline& line = page.layout.edges[e];
         const bool free = families[e] >= 0;
+        if (cut[e]) page.drawing.items.emplace_back(Stroke{{line}, cut_colour, 7});
         const Colour colour = free ? palette(families[e]) : pencil;
         page.drawing.items.emplace_back(Stroke{{line}, colour, free ? 3.0 : 1.3});
         page.drawing.items.emplace_back(Fill{{arrow_head(point_on(line, 0.62), 8)}, colour});
@@ -154,25 +185,6 @@ void append_blocks(Page& page) {
     }
 }
 
-/// Families in a row beneath the drawing.
-void append_legend(const Topology& topology, Drawing& drawing) {
-    double x = 30;
-    double y = page_height - room_for_legend + 22;
-    for (std::size_t b = 0; b < topology.boundaries.size(); ++b) {
-        const Family& family = topology.boundaries[b].family;
-        const std::string text = family.name + " (" + family.type + ")";
-        const double width = 34 + text_width(text, letters);
-        if (x + width > page_width - 20) {
-            x = 30;
-            y += 20;
-        }
-        drawing.items.emplace_back(
-            Stroke{{{{x, y - 4}, {x + 22, y - 4}}}, palette(static_cast<int>(b)), 4});
-        drawing.items.emplace_back(Label{{x + 28, y}, text, letters, Anchor::left, ink});
-        x += width + 24;
-    }
-}
-
 void append_title(const Page& page, const std::string& title, Drawing& drawing) {
     const Topology& t = page.topology;
     drawing.items.emplace_back(Label{{30, 32}, title, 20, Anchor::left, ink, true});
@@ -183,6 +195,13 @@ void append_title(const Page& page, const std::string& title, Drawing& drawing) 
                 ? "; not to scale: what is far from the smallest parts is drawn nearer"
                 : "; to scale";
     drawing.items.emplace_back(Label{{30, 50}, told, letters - 1, Anchor::left, pencil});
+    const std::string copies = copies_text(t);
+    double y = 50;
+    for (std::size_t begin = 0; begin < copies.size(); begin = copies.find('\n', begin) + 1) {
+        y += 16;
+        const std::string line = copies.substr(begin, copies.find('\n', begin) - begin);
+        drawing.items.emplace_back(Label{{30, y}, line, letters - 1, Anchor::left, pencil});
+    }
 }
 
 Page empty_page(const Topology& topology) {
@@ -205,6 +224,7 @@ void draw_topology(const Topology& topology, const std::string& title, PictureFo
         append_faces(page);
     }
     append_edges(page);
+    append_periodic(page);
     if (!topology.is_3d()) append_directions(page);
     append_vertices(page);
     label_edges(page);
@@ -215,7 +235,8 @@ void draw_topology(const Topology& topology, const std::string& title, PictureFo
             {page.frame.right + 80, page.frame.top, page_width - 20.0, page.frame.bottom},
             page.drawing);
     }
-    append_legend(topology, page.drawing);
+    append_legend(topology, {30, page_height - room_for_legend + 22}, page_width - 20,
+                  page.drawing);
     append_title(page, title, page.drawing);
     if (format == PictureFormat::png) {
         write_png(page.drawing, path);

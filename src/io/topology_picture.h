@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A drawing of a topology as resolved, before anything is solved: vertices, edges with their cells
-// and directions, faces with theirs, boundary families by colour; of blocks also a graph that tells
-// which faces they share.
+// and directions, faces with theirs, boundary families by colour, cuts and periodic pairs; of
+// blocks also a graph that tells which faces they share.
 #pragma once
 
 #include <filesystem>

@@ -27,15 +27,6 @@ std::string boundary_line(const Topology& topology, const Boundary& boundary) {
     return text + "\n";
 }
 
-std::string map_text(const Periodicity& periodicity) {
-    const Vec3& t = periodicity.translation;
-    if (t != Vec3{}) return "translation " + point_text(t);
-    const Vec3& a = periodicity.angle;
-    const char axis = a.x != 0 ? 'x' : a.y != 0 ? 'y' : 'z';
-    return fmt::format("rotation about {} by {} through {}", axis, number_text(a.x + a.y + a.z),
-                       point_text(periodicity.center));
-}
-
 std::string periodic_line(const Topology& topology, const PeriodicInterface& interface) {
     std::string text = fmt::format("  {:<24} {}:", interface.name, map_text(interface.periodicity));
     const auto name = [&](int side) {
@@ -68,6 +59,20 @@ std::string mirror_line(const Topology& topology) {
 
 }  // namespace
 
+std::string map_text(const Periodicity& periodicity) {
+    const Vec3& t = periodicity.translation;
+    if (t != Vec3{}) return "translation " + point_text(t);
+    const Vec3& a = periodicity.angle;
+    const char axis = a.x != 0 ? 'x' : a.y != 0 ? 'y' : 'z';
+    return fmt::format("rotation about {} by {} through {}", axis, number_text(a.x + a.y + a.z),
+                       point_text(periodicity.center));
+}
+
+std::string copies_text(const Topology& topology) {
+    return (topology.sweep ? sweep_line(topology) : "") +
+           (topology.mirror ? mirror_line(topology) : "");
+}
+
 std::string adjusted_counts_text(const Topology& topology) {
     std::string rows;
     for (const AdjustedCount& a : topology.adjusted_counts) {
@@ -98,8 +103,7 @@ std::string to_text(const Topology& topology, const Topology& solved) {
     if (!topology.periodic.empty()) text += "periodic:\n";
     for (const PeriodicInterface& p : topology.periodic) text += periodic_line(topology, p);
     text += adjusted_counts_text(topology);
-    if (topology.sweep) text += sweep_line(topology);
-    if (topology.mirror) text += mirror_line(topology);
+    text += copies_text(topology);
     text +=
         fmt::format("memory: about {} on {} {}\n", memory_text(estimated_bytes(solved, threads())),
                     threads(), threads() == 1 ? "thread" : "threads");

@@ -66,6 +66,58 @@ TEST_CASE("the graph of blocks tells which faces they share") {
     CHECK(!says(svg, "wall_0"));  // no block shares it
 }
 
+TEST_CASE("the graph draws periodic pairs, in the plane and between blocks") {
+    const Scratch scratch;
+    REQUIRE(scratch.hexweave("graph " + shipped("vane.yaml") + " -o a.svg").exit_code == 0);
+    const std::string plane = scratch.read("a.svg");
+    CHECK(says(plane, "passage (periodic: translation [0, 0.85])"));
+    const auto often = [](const std::string& text, const std::string& word) {
+        int count = 0;
+        for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) ++count;
+        return count;
+    };
+    CHECK(often(plane, ">passage</text>") == 3);  // an arrow for each pair
+    CHECK(!says(plane, "cut: a face is joined to itself"));
+
+    REQUIRE(scratch.hexweave("graph " + shipped("vane_annulus.yaml") + " -o b.svg").exit_code == 0);
+    const std::string blocks = scratch.read("b.svg");
+    for (const char* pair :
+         {"bottom_in = top_in", "bottom_mid = top_mid", "bottom_out = top_out"}) {
+        CHECK(says(blocks, pair));
+    }
+    CHECK(blocks.find("(periodic: rotation about x by -0.174533 through") != std::string::npos);
+}
+
+TEST_CASE("the graph draws what is joined to itself, and tells of sweeps and mirrors") {
+    const Scratch scratch;
+    scratch.write("ring.yaml", R"(hexweave: 1
+curves: {inner: {circle: {center: [0, 0], radius: 1}}, outer: {circle: {center: [0, 0], radius: 3}}}
+vertices: {a: [1, 0], b: [3, 0]}
+edges:
+  wall: {from: a, to: a, along: inner, cells: 40}
+  far: {from: b, to: b, along: outer}
+  seam: {from: a, to: b, cells: 12}
+faces: {ring: {imin: seam, imax: seam, jmin: -wall, jmax: -far}}
+boundaries: {walls: {type: BCWall, sides: [wall, far]}}
+extrude: {along: [0, 0, 1], cells: 4, periodic: true}
+)");
+    REQUIRE(scratch.hexweave("graph ring.yaml -o ring.svg").exit_code == 0);
+    const std::string ring = scratch.read("ring.svg");
+    CHECK(says(ring, "cut: a face is joined to itself"));
+    CHECK(says(ring, "swept by a translation [0, 0, 1], 4 cells, its ends joined"));
+
+    scratch.write("box.yaml", R"(hexweave: 1
+vertices: {a: [0, 0, 0], b: [2, 0, 0], c: [2, 1, 0], d: [0, 1, 0],
+           e: [0, 0, 1], f: [2, 0, 1], g: [2, 1, 1], h: [0, 1, 1]}
+edges: {ab: {from: a, to: b, cells: 6}, ad: {from: a, to: d, cells: 4}, ae: {from: a, to: e, cells: 3}}
+blocks: {box: {corners: [a, b, c, d, e, f, g, h]}}
+boundaries: {walls: {type: BCWall, sides: [a-b-c-d, e-f-g-h, a-b-f-e, d-c-g-h]}}
+periodic: {along: {from: a-d-h-e, to: b-c-g-f, translate: [2, 0, 0]}}
+)");
+    REQUIRE(scratch.hexweave("graph box.yaml -o box.svg").exit_code == 0);
+    CHECK(says(scratch.read("box.svg"), "a-d-h-e = b-c-g-f"));
+}
+
 TEST_CASE("a graph is the same every time, a PNG where the name says so, and never half") {
     const Scratch scratch;
     const std::string config = shipped("half_cylinder.yaml");

@@ -20,8 +20,7 @@ TEST_CASE("every starter config runs sound, without a warning, and can be drawn"
         const std::string text = scratch.read("my_" + name + ".yaml");
         CHECK(text.find("hexweave run my_" + name + ".yaml") != std::string::npos);
         CHECK(text.find("NAME") == std::string::npos);
-        const Finished run =
-            scratch.hexweave("run --strict my_" + name + ".yaml --json run.json");
+        const Finished run = scratch.hexweave("run --strict my_" + name + ".yaml --json run.json");
         INFO(run.out << run.err);
         CHECK(run.exit_code == 0);
         CHECK(run.err.find("warning") == std::string::npos);
