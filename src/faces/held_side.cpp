@@ -9,38 +9,12 @@
 #include "core/every_nth.h"
 #include "core/parallel.h"
 #include "elliptic/fold_count.h"
-#include "faces/wall_heights.h"
+#include "faces/movable_line.h"
+#include "faces/wall_frame.h"
 
 namespace hexweave {
 
 namespace {
-
-/// A side seen from the wall: nodes (a, b) over its own two axes, and n steps inwards.
-struct WallFrame {
-    Extent extent;
-    Side side;
-    std::array<int, 2> axes;
-    int count_a;
-    int count_b;
-
-    WallFrame(const Extent& e, Side s)
-        : extent(e), side(s), axes(tangential_axes(s)), count_a(e[axes[0]]), count_b(e[axes[1]]) {}
-
-    int depth() const { return extent[axis_of(side)]; }
-    Extent nodes() const { return {count_a, count_b, 1}; }
-    /// A face has no second axis along its sides.
-    bool is_line() const { return count_b == 1; }
-    bool fixed(int a, int b) const {
-        return a == 0 || a == count_a - 1 || (!is_line() && (b == 0 || b == count_b - 1));
-    }
-    std::size_t offset(int a, int b, int n) const {
-        Node node{};
-        node[static_cast<std::size_t>(axes[0])] = a;
-        node[static_cast<std::size_t>(axes[1])] = b;
-        node[static_cast<std::size_t>(axis_of(side))] = is_max(side) ? depth() - 1 - n : n;
-        return extent.offset(node[0], node[1], node[2]);
-    }
-};
 
 /// Of node n off the wall.
 double height_at(const PointField& points, const WallFrame& wall, int a, int b, int n) {
@@ -117,51 +91,6 @@ Field targets(const PointField& points, const WallFrame& wall, const WallLengths
         }
     }
     return result;
-}
-
-/// A line off the wall as the solve left it, as far as it may move and two points on.
-struct MovableLine {
-    int a = 0;
-    int b = 0;
-    std::vector<Vec3> points;
-    std::vector<double> distances;
-    std::size_t first = 1;  ///< the point that is at the held height
-    double fade = 0;
-    double log_factor = 0;
-    double part = 0;  ///< of log_factor that is applied
-};
-
-MovableLine movable_line(const PointField& points, const WallFrame& wall, int a, int b,
-                         double target, double asked_fade, const HeldHeights& request) {
-    MovableLine line{a, b, {}, {}, static_cast<std::size_t>(request.first), 0, 0, 0};
-    line.points.reserve(static_cast<std::size_t>(wall.depth()));
-    for (int n = 0; n < wall.depth(); ++n) line.points.push_back(points[wall.offset(a, b, n)]);
-    line.distances = distances_along(line.points);
-    line.fade = fade_on_line(asked_fade, line.distances.back());
-    const auto beyond = std::lower_bound(line.distances.begin(), line.distances.end(), line.fade);
-    const auto kept = std::min<std::size_t>(
-        line.points.size(), static_cast<std::size_t>(beyond - line.distances.begin()) + 2);
-    line.log_factor = std::log(target / line.distances[line.first]);
-    line.points.resize(kept);
-    line.points.shrink_to_fit();
-    line.distances.resize(kept);
-    line.part =
-        feasible_part(line.distances, line.log_factor, line.fade, request.growth, line.first);
-    return line;
-}
-
-void move_line(PointField& points, const WallFrame& wall, const MovableLine& line) {
-    const double log_factor = line.part * line.log_factor;
-    std::vector<double> wanted =
-        scaled_distances(line.distances, log_factor, line.fade, line.first);
-    const auto beyond = std::lower_bound(line.distances.begin(), line.distances.end(), line.fade);
-    const auto moved = static_cast<std::size_t>(beyond - line.distances.begin());
-    wanted.resize(moved);
-    const std::vector<Vec3> at =
-        line.part == 0 ? line.points : points_at(line.points, line.distances, wanted);
-    for (std::size_t n = 1; n < moved; ++n) {
-        points.set(wall.offset(line.a, line.b, static_cast<int>(n)), at[n]);
-    }
 }
 
 /// Takes back the lines at cells that are folded now and were not `before`: half of their way, and
@@ -273,6 +202,10 @@ HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request)
     parallel_for(inner.size(), [&](std::size_t n) {
         const auto [a, b] = inner[n];
         lines[n] = movable_line(points, wall, a, b, target(a, b), held.fade, request);
+    });
+    spread_outwards(points, wall, lines);
+    parallel_for(lines.size(), [&](std::size_t n) {
+        lines[n].part = part_allowed(lines[n], request.growth);
         move_line(points, wall, lines[n]);
     });
     take_back_folds(points, wall, lines, before);

@@ -37,6 +37,7 @@ std::vector<HeldSide> every_nth(const PointField& points, const std::vector<Held
 /// Moves interior points of a face or block along the grid lines that leave `side`. Boundary points
 /// stay: where the first cell on one of the neighbouring sides is not as asked, lines beside it
 /// begin with that side's height and come to the asked one within the fade distance along the wall.
+/// Away from the wall the factors of neighbouring lines are smoothed (see FactorLayer).
 /// A line moves less than asked, or not at all, where its points would not ascend or would grow
 /// faster than request.growth (see feasible_part), and where cells would fold that did not before.
 HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request);

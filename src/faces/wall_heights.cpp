@@ -55,16 +55,18 @@ std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<d
     return result;
 }
 
-double feasible_part(const std::vector<double>& distances, double log_factor, double fade,
-                     double growth, std::size_t first) {
+double feasible_part(const std::vector<double>& distances, const std::vector<double>& log_factors,
+                     double fade, double growth, std::size_t first) {
     constexpr double margin = 1.25;  // on the growth of a line that is beyond the bound already
     const double allowed = std::max(growth, 1 + margin * (greatest_growth(distances) - 1));
     const auto allows = [&](double part) {
-        return greatest_growth(scaled_distances(distances, part * log_factor, fade, first)) <=
-               allowed;
+        std::vector<double> parts = log_factors;
+        for (double& log_factor : parts) log_factor *= part;
+        return greatest_growth(scaled_distances(distances, parts, fade, first)) <= allowed;
     };
-    if (!std::isfinite(log_factor) || distances.size() <= first || distances[first] >= fade)
-        return 0;
+    const bool finite = std::all_of(log_factors.begin(), log_factors.end(),
+                                    [](double log_factor) { return std::isfinite(log_factor); });
+    if (!finite || distances.size() <= first || distances[first] >= fade) return 0;
     if (allows(1)) return 1;
     constexpr int halvings = 30;
     double low = 0;

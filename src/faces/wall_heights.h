@@ -21,11 +21,11 @@ std::vector<double> distances_along(const std::vector<Vec3>& line);
 std::vector<Vec3> points_at(const std::vector<Vec3>& points, const std::vector<double>& distances,
                             const std::vector<double>& wanted);
 
-/// The part, 0 to 1, of `log_factor` that can be had such that scaled_distances ascend and do not
+/// The part, 0 to 1, of `log_factors` that can be had such that scaled_distances ascend and do not
 /// grow faster than `growth` - or, where they grow nearly as fast already, by a quarter more.
 /// `first` as for scaled_distances.
-double feasible_part(const std::vector<double>& distances, double log_factor, double fade,
-                     double growth, std::size_t first = 1);
+double feasible_part(const std::vector<double>& distances, const std::vector<double>& log_factors,
+                     double fade, double growth, std::size_t first = 1);
 
 /// How far a face or block may be moved in one line: half of it at most, so that lines between two
 /// walls obey both.

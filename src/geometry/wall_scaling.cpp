@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/assert.h"
 #include "geometry/stretching.h"
 
 namespace hexweave {
@@ -21,12 +22,20 @@ double falling_step(double x) {
 
 std::vector<double> scaled_distances(const std::vector<double>& distances, double log_factor,
                                      double fade, std::size_t first) {
+    return scaled_distances(distances, std::vector<double>(distances.size(), log_factor), fade,
+                            first);
+}
+
+std::vector<double> scaled_distances(const std::vector<double>& distances,
+                                     const std::vector<double>& log_factors, double fade,
+                                     std::size_t first) {
+    HEXWEAVE_ASSERT(log_factors.size() == distances.size());
     std::vector<double> scaled = distances;
     if (scaled.size() <= first || scaled[first] >= fade) return scaled;
     const double scales = std::log(fade / distances[first]);
     for (std::size_t n = 1; n < scaled.size() && distances[n] < fade; ++n) {
         const double x = n < first ? 0 : std::log(distances[n] / distances[first]) / scales;
-        scaled[n] = distances[n] * std::exp(log_factor * falling_step(x));
+        scaled[n] = distances[n] * std::exp(log_factors[n] * falling_step(x));
     }
     return scaled;
 }

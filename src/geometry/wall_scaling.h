@@ -15,6 +15,11 @@ namespace hexweave {
 std::vector<double> scaled_distances(const std::vector<double>& distances, double log_factor,
                                      double fade, std::size_t first = 1);
 
+/// The same with a logarithm for every distance.
+std::vector<double> scaled_distances(const std::vector<double>& distances,
+                                     const std::vector<double>& log_factors, double fade,
+                                     std::size_t first = 1);
+
 /// The greatest ratio of two neighbouring cells, either way, of the points at these distances;
 /// infinite where they do not ascend.
 double greatest_growth(const std::vector<double>& distances);

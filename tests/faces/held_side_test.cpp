@@ -124,6 +124,44 @@ TEST_CASE("a given height is held, and from the fixed edges it is come to within
     CHECK(height_ratios(points, held).front() == Approx(0.5).epsilon(0.01));
 }
 
+TEST_CASE("a corner's heights are held at the wall and leave no dent in the lines far from it") {
+    // Natural heights with a cusp at the middle of the wall, gone at a distance of its width.
+    constexpr int last = 200;
+    PointField points(Extent{last + 1, 41, 1});
+    for (int j = 0; j <= 40; ++j) {
+        for (int i = 0; i <= last; ++i) {
+            const double x = static_cast<double>(i) / last;
+            const double y = layered(j / 40.0);
+            const double off_corner = std::hypot(x - 0.5, y + 1e-4) / 0.02;
+            points.set(i, j, 0, {x, y * std::exp(-1.5 * std::exp(-off_corner)), 0});
+        }
+    }
+    const PointField natural = points;
+    HeldHeights request;
+    request.height = first;
+    request.fade = 0.4;
+    request.growth = 1.6;
+    const HeldSide held = hold_heights(points, Side::jmin, request);
+    CHECK(height_ratios(natural, held).front() < 0.25);
+    for (const double ratio : height_ratios(points, held)) CHECK(ratio == Approx(1).epsilon(1e-6));
+    CHECK(count_folded(points) == 0);
+    const auto dent = [](const PointField& grid, int j) {
+        double greatest = 0;
+        for (int i = 1; i < last; ++i) {
+            const double bend = grid(i - 1, j).y - 2 * grid(i, j).y + grid(i + 1, j).y;
+            greatest = std::max(greatest, std::abs(bend) / grid(i, j).y);
+        }
+        return greatest;
+    };
+    CHECK(dent(natural, 1) > 0.05);
+    CHECK(dent(points, 1) < 1e-6);
+    for (int j = 2; j <= 40; ++j) {
+        INFO("j = " << j << " at " << natural(0, j).y);
+        if (natural(0, j).y > 0.014) CHECK(dent(points, j) < dent(natural, j) + 0.015);
+        CHECK(dent(points, j) < 0.13);
+    }
+}
+
 TEST_CASE("every side of a face can be held, in both its senses") {
     const PointField drifted = square(1, bump);
     const auto turned = [&](Side side, const PointField& from, bool back) {

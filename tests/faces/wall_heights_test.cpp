@@ -17,6 +17,13 @@ std::vector<double> layer(double first, double ratio, int cells) {
     return distances;
 }
 
+/// The part of one factor for the whole line.
+double part_of_factor(const std::vector<double>& distances, double factor, double fade,
+                      double growth) {
+    const std::vector<double> logarithms(distances.size(), std::log(factor));
+    return feasible_part(distances, logarithms, fade, growth);
+}
+
 }  // namespace
 
 TEST_CASE("a straight line gets the asked height, and keeps what is beyond the fade to the bit") {
@@ -88,19 +95,19 @@ TEST_CASE("what would grow too fast is done as far as it does not") {
     const double fade = 0.02;
     for (const double factor : {0.01, 0.1, 0.5, 2.0, 30.0, 1e4}) {
         const double logarithm = std::log(factor);
-        const double part = feasible_part(distances, logarithm, fade, 1.3);
+        const double part = part_of_factor(distances, factor, fade, 1.3);
         CHECK(greatest_growth(scaled_distances(distances, part * logarithm, fade)) <= 1.3);
         if (part < 1) {
             const auto more = scaled_distances(distances, (part + 1e-6) * logarithm, fade);
             CHECK(greatest_growth(more) > 1.3);
         }
     }
-    CHECK(feasible_part(distances, std::log(2), fade, 1.3) == 1);
-    CHECK(feasible_part(distances, std::log(0.01), fade, 1.3) < 0.8);
-    CHECK(feasible_part(distances, std::log(0.01), fade, 3) == 1);
+    CHECK(part_of_factor(distances, 2, fade, 1.3) == 1);
+    CHECK(part_of_factor(distances, 0.01, fade, 1.3) < 0.8);
+    CHECK(part_of_factor(distances, 0.01, fade, 3) == 1);
     // A line that grows faster already may do so a little more; one without a point to move cannot.
-    CHECK(feasible_part(layer(1e-4, 1.5, 20), std::log(1.01), fade, 1.3) > 0);
-    CHECK(feasible_part(distances, std::log(2), 1e-4, 1.3) == 0);
+    CHECK(part_of_factor(layer(1e-4, 1.5, 20), 1.01, fade, 1.3) > 0);
+    CHECK(part_of_factor(distances, 2, 1e-4, 1.3) == 0);
 }
 
 TEST_CASE("a line between two walls is moved in its near half only") {
