@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "commands/command.h"
 #include "commands/command_suggestion.h"
@@ -54,12 +56,12 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         const bool asked_for_text = e.get_exit_code() == 0;
-        const std::string meant = hexweave::suggestion_for(app, {argv + 1, argv + argc});
-        if (!asked_for_text && !meant.empty()) {
-            return failed(ExitCode::wrong_input, meant.c_str());
+        if (!asked_for_text) {
+            const std::vector<std::string> arguments(argv + 1, argv + argc);
+            return failed(ExitCode::wrong_input, hexweave::refusal_of(app, arguments, e).c_str());
         }
         app.exit(e);
-        return static_cast<int>(asked_for_text ? ExitCode::done : ExitCode::wrong_input);
+        return static_cast<int>(ExitCode::done);
     }
     return static_cast<int>(chosen());
 }

@@ -13,6 +13,7 @@
 
 #include "core/parallel.h"
 #include "core/processors.h"
+#include "io/grid_file.h"
 #include "io/output_files.h"
 #include "topology/text_limit.h"
 
@@ -66,7 +67,7 @@ void add_threads_option(CLI::App& command, int& threads) {
     command
         .add_option("-j,--threads", threads,
                     "threads (default: OMP_NUM_THREADS, else all that this process may use)")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1, 65536))
         ->type_name("N");
 }
 
@@ -109,18 +110,27 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
     command.add_flag("--quiet", options.quiet, "print nothing but errors")->excludes(verbose);
 }
 
+std::string read_whole_file(const std::string& path) {
+    const auto refuse = [&path](const char* reason) {
+        throw UsageError("cannot read '" + path + "': " + reason);
+    };
+    if (std::filesystem::is_directory(path)) refuse("it is a folder");
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) refuse(std::strerror(errno));
+    std::string text = read_text(stream);
+    if (stream.bad()) refuse(std::strerror(errno));
+    return text;
+}
+
 std::shared_ptr<const SourceFile> read_source(const std::string& config) {
     if (config == "-") {
         return std::make_shared<SourceFile>(SourceFile{"<stdin>", read_text(std::cin)});
     }
-    const auto refuse = [&config](const char* reason) {
-        throw UsageError("cannot read '" + config + "': " + reason);
-    };
-    if (std::filesystem::is_directory(config)) refuse("it is a folder");
-    std::ifstream stream(config, std::ios::binary);
-    if (!stream) refuse(std::strerror(errno));
-    std::string text = read_text(stream);
-    if (stream.bad()) refuse(std::strerror(errno));
+    std::string text = read_whole_file(config);
+    if (begins_as_cgns(text)) {
+        throw UsageError(
+            fmt::format("'{0}' is a grid, not a config; 'hexweave quality {0}' judges it", config));
+    }
     return std::make_shared<SourceFile>(SourceFile{config, std::move(text)});
 }
 

@@ -30,7 +30,11 @@ struct CaseOptions {
 /// Adds --set, --level, -j, --json, --strict, --verbose and --quiet to a subcommand.
 void add_case_options(CLI::App& command, CaseOptions& options);
 
-/// The config's text. Throws UsageError when it cannot be read.
+/// The text of a file, or as much as shows that it is too long for a case. Throws UsageError when
+/// it cannot be read.
+std::string read_whole_file(const std::string& path);
+
+/// The config's text. Throws UsageError when it cannot be read, or is a grid.
 std::shared_ptr<const SourceFile> read_source(const std::string& config);
 
 /// -j, --threads: 0 where it is not given, for choose_threads.

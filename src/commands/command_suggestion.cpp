@@ -2,6 +2,7 @@
 #include "commands/command_suggestion.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -26,19 +27,34 @@ std::vector<std::string> long_options(const CLI::App& command) {
     return names;
 }
 
+bool is_config(const std::string& name) {
+    return name.ends_with(".yaml") || name.ends_with(".yml");
+}
+
+const CLI::App* command_named(const CLI::App& app, const std::string& name) {
+    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (known->get_name() == name) return known;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::string suggestion_for(const CLI::App& app, const std::vector<std::string>& arguments) {
     if (arguments.empty()) return {};
-    std::vector<std::string> commands;
-    const CLI::App* command = &app;
-    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
-        commands.push_back(known->get_name());
-        if (known->get_name() == arguments[0]) command = known;
-    }
-    if (command == &app && !arguments[0].starts_with('-')) {
+    const CLI::App* command = command_named(app, arguments[0]);
+    if (command == nullptr && !arguments[0].starts_with('-')) {
+        if (is_config(arguments[0])) {
+            return fmt::format("the command is missing: did you mean 'hexweave run {}'?",
+                               arguments[0]);
+        }
+        std::vector<std::string> commands;
+        for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+            commands.push_back(known->get_name());
+        }
         return suggest("hexweave", "command", arguments[0], commands);
     }
+    if (command == nullptr) command = &app;
     const std::string who = command == &app ? "hexweave" : "hexweave " + command->get_name();
     for (const std::string& argument : arguments) {
         if (!argument.starts_with("--")) continue;
@@ -47,6 +63,23 @@ std::string suggestion_for(const CLI::App& app, const std::vector<std::string>& 
         if (!told.empty()) return told;
     }
     return {};
+}
+
+std::string refusal_of(const CLI::App& app, const std::vector<std::string>& arguments,
+                       const CLI::ParseError& found) {
+    const std::string meant = suggestion_for(app, arguments);
+    if (!meant.empty()) return meant;
+    const CLI::App* command = arguments.empty() ? nullptr : command_named(app, arguments[0]);
+    const std::string who = command == nullptr ? "hexweave" : "hexweave " + command->get_name();
+    std::string what = found.what();
+    if (dynamic_cast<const CLI::ExtrasError*>(&found) != nullptr) {
+        // The parser's own words turn their order round.
+        what = fmt::format("cannot tell what '{}' is for", fmt::join(app.remaining(true), " "));
+    } else if (dynamic_cast<const CLI::RequiredError*>(&found) != nullptr && command == nullptr) {
+        what = arguments.empty() ? "a command is missing, such as run, check or quality"
+                                 : fmt::format("there is no command '{}'", arguments[0]);
+    }
+    return fmt::format("{}; see '{} --help'", what, who);
 }
 
 }  // namespace hexweave

@@ -36,7 +36,7 @@ ExitCode write_report(const ReportArguments& arguments) {
     HtmlReportOptions options;
     options.grid_file = std::filesystem::path(arguments.grid).filename().string();
     for (const std::string& plane : arguments.planes) options.planes.push_back(read_plane(plane));
-    if (!arguments.run.empty()) options.run_json = read_source(arguments.run)->text;
+    if (!arguments.run.empty()) options.run_json = read_whole_file(arguments.run);
     OutputFiles files;
     const std::filesystem::path staged = files.stage(arguments.output);
     MultiblockGrid grid = read_grid(arguments.grid);

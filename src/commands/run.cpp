@@ -156,7 +156,17 @@ ExitCode run_or_update(const RunOptions& options, Outcome& outcome) {
         return update_goldens(options.golden, options.configs, options.input, outcome);
     }
     if (options.configs.size() > 1) {
-        throw UsageError("run takes one config, several with --golden DIR only");
+        const std::string& second = options.configs[1];
+        if (second.find('=') != std::string::npos) {
+            throw UsageError(
+                fmt::format("what is '{0}' for? A parameter is set by '--set {0}', "
+                            "each with a --set of its own",
+                            second));
+        }
+        throw UsageError(fmt::format(
+            "run makes the grid of one config, of several with --golden DIR only: what is '{}' "
+            "for? A parameter is set by '--set NAME=VALUE'",
+            second));
     }
     return run(options, outcome);
 }
@@ -180,8 +190,8 @@ void add_run(CLI::App& app, ChosenCommand& chosen) {
             ->type_name("FILE.cgns");
     command
         ->add_option("--golden", options->golden,
-                     "keep the grid of each config as DIR/STEM.cgns, where there is none yet or "
-                     "where it differs from the one there")
+                     "write the grid of each config to DIR/STEM.cgns, new or over the one there if "
+                     "it differs; to check against it, run and then 'hexweave compare'")
         ->type_name("DIR")
         ->excludes(output);
     command->footer(

@@ -21,20 +21,22 @@
 namespace hexweave {
 namespace {
 
-/// Whether the file begins as HDF5 or ADF files do, whatever it is called.
-bool begins_as_cgns(const std::filesystem::path& path) {
+bool file_begins_as_cgns(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     std::array<char, 64> start{};
     stream.read(start.data(), start.size());
-    const std::string_view text(start.data(), static_cast<std::size_t>(stream.gcount()));
-    return text.starts_with("\x89HDF\r\n") || text.find("ADF Database") != std::string_view::npos;
+    return begins_as_cgns({start.data(), static_cast<std::size_t>(stream.gcount())});
 }
 
 GridFormat format_to_read(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     const auto format = format_of_ending(ending);
     if (format) return *format;
-    if (begins_as_cgns(path)) return GridFormat::cgns;
+    if (file_begins_as_cgns(path)) return GridFormat::cgns;
+    if (ending == ".yaml" || ending == ".yml") {
+        throw UsageError(fmt::format(
+            "'{0}' is a config, not a grid; 'hexweave run {0}' makes its grid", path.string()));
+    }
     throw UsageError(unknown_ending("read", path.string()));
 }
 
@@ -109,6 +111,11 @@ void write_openfoam(const MultiblockGrid& grid, const ReservedOutput& reserved,
 }
 
 }  // namespace
+
+bool begins_as_cgns(std::string_view text) {
+    return text.starts_with("\x89HDF\r\n") ||
+           text.substr(0, 64).find("ADF Database") != std::string_view::npos;
+}
 
 std::string unknown_ending(const char* verb, const std::string& path) {
     return fmt::format("cannot {} '{}': its format is not known by its ending '{}' ({})", verb,

@@ -20,6 +20,9 @@ namespace hexweave {
 MultiblockGrid read_grid(const std::filesystem::path& path,
                          std::optional<GridFormat> format = std::nullopt);
 
+/// Whether this is the beginning of an HDF5 or ADF file, whatever it is called.
+bool begins_as_cgns(std::string_view text);
+
 /// "cannot read 'x.txt': ...", with the endings that are known. `verb` is "read" or "write".
 std::string unknown_ending(const char* verb, const std::string& path);
 

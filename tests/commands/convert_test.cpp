@@ -102,7 +102,8 @@ TEST_CASE("convert says what it cannot do, and leaves nothing behind") {
     refused("missing.cgns grid.xyz", "cannot read 'missing.cgns': no such file");
     refused("text.cgns grid.xyz", "not a CGNS file");
     refused("cut.p3d grid.cgns", "does not agree with the sizes");
-    refused("square.yaml grid.cgns", "its format is not known by its ending '.yaml'");
+    refused("square.yaml grid.cgns",
+            "'square.yaml' is a config, not a grid; 'hexweave run square.yaml' makes its grid");
     const Finished no_folder = scratch.hexweave("convert square.cgns none/grid.vtm");
     CHECK(no_folder.exit_code == 3);
     CHECK(contains(no_folder.err, "no such folder 'none'"));

@@ -57,6 +57,12 @@ TEST_CASE("docs prints a part of the reference") {
     CHECK(!contains(spacing.out, "## edge"));
     CHECK(scratch.hexweave("docs 'curve circle'").out == scratch.hexweave("docs curve_circle").out);
 
+    CHECK(scratch.hexweave("docs curve circle").out == scratch.hexweave("docs curve_circle").out);
+
+    const Finished words = scratch.hexweave("docs first cell");
+    CHECK(words.exit_code == 0);
+    CHECK(words.out.starts_with("No key is called 'first cell'; of that speak: "));
+    CHECK(contains(words.out, "held height"));
     const Finished cells = scratch.hexweave("docs cells");
     CHECK(contains(cells.out, "In edge:\n"));
     CHECK(contains(cells.out, "In pole:\n"));

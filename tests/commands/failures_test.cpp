@@ -227,6 +227,18 @@ TEST_CASE("a command or an option that is misspelled is told with the one that w
     told("check tiny.yaml --expalin=a",
          "hexweave check has no option '--expalin'; did you mean '--explain'?");
     told("--verison", "hexweave has no option '--verison'; did you mean '--version'?");
+    told("tiny.yaml", "the command is missing: did you mean 'hexweave run tiny.yaml'?");
+    told("", "a command is missing, such as run, check or quality; see 'hexweave --help'");
+    told("run", "CONFIG is required; see 'hexweave run --help'");
+    told("run tiny.yaml -j 0",
+         "--threads: Value 0 not in range 1 to 65536; see 'hexweave run --help'");
+    told("plot tiny.cgns -o a.png wake 3",
+         "cannot tell what 'wake 3' is for; see 'hexweave plot --help'");
+    told(
+        "run tiny.yaml --set wall=1 nj=100",
+        "what is 'nj=100' for? A parameter is set by '--set nj=100', each with a --set of its own");
+    told("quality tiny.yaml",
+         "'tiny.yaml' is a config, not a grid; 'hexweave run tiny.yaml' makes its grid");
     told("plot tiny.yaml -o a.png --view fornt",
          "--view fornt: a view is top, front, side, iso or X,Y,Z; did you mean 'front'?");
     CHECK(scratch.hexweave("fly").exit_code == 2);  // nothing is near: the command line's own words
