@@ -98,6 +98,7 @@ void make_levels(const LevelGrids& grids, const Progress& progress, OutputFiles&
 
 void print(const RunOptions& options, const PlannedOutput& made) {
     const std::string where_to_look = offender_lines(made.offenders);
+    fmt::print(stderr, "{}", cautions(made.report));
     // With the JSON on standard output nothing else may stand there.
     std::FILE* out = options.input.json == "-" ? stderr : stdout;
     if (!options.input.quiet) {
@@ -146,8 +147,10 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
         if (made.size() > 1) fmt::print(out, "\n{}\n", family_table(outcome.levels));
         fmt::print(out, "wrote {} in {:.2f} s\n", fmt::join(outcome.outputs, ", "), taken.count());
     }
-    const bool sound = std::all_of(made.begin(), made.end(),
-                                   [](const PlannedOutput& grid) { return grid.report.sound(); });
+    const bool sound = std::all_of(made.begin(), made.end(), [&](const PlannedOutput& grid) {
+        const bool warned = options.input.strict && !grid.report.folded_faces().empty();
+        return grid.report.sound() && !warned;
+    });
     return sound ? ExitCode::done : ExitCode::not_sound;
 }
 

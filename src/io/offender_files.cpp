@@ -17,6 +17,26 @@ std::filesystem::path folder_beside(std::filesystem::path grid) {
     return grid.replace_extension(".offenders");
 }
 
+/// Whether a file has a name that `write_offenders` gives, and is a file itself.
+bool is_offender_file(const std::filesystem::directory_entry& entry) {
+    const std::string name = entry.path().filename().string();
+    const bool named = name.starts_with("face-") || name.starts_with("block-");
+    return named && name.ends_with(".vts") &&
+           entry.symlink_status().type() == std::filesystem::file_type::regular;
+}
+
+/// Has the files of an earlier run removed that this one does not write.
+void discard_earlier(const std::filesystem::path& folder, const std::vector<OffenderFile>& written,
+                     OutputFiles& files) {
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+        const bool current =
+            std::any_of(written.begin(), written.end(),
+                        [&](const OffenderFile& own) { return own.path == entry.path(); });
+        if (!current && is_offender_file(entry)) files.discard(entry.path());
+    }
+}
+
 const char* kind_name(bool is_block) {
     return is_block ? "block" : "face";
 }
@@ -28,9 +48,8 @@ std::vector<OffenderFile> write_offenders(const std::vector<Offender>& offenders
                                           const std::filesystem::path& grid_path,
                                           OutputFiles& files) {
     std::vector<OffenderFile> written;
-    if (offenders.empty()) return written;
     const std::filesystem::path folder = folder_beside(grid_path);
-    files.make_folder(folder);
+    if (!offenders.empty()) files.make_folder(folder);
     for (const Offender& offender : offenders) {
         const std::string kind = kind_name(offender.is_block);
         const std::filesystem::path path = folder / fmt::format("{}-{}.vts", kind, offender.name);
@@ -45,6 +64,7 @@ std::vector<OffenderFile> write_offenders(const std::vector<Offender>& offenders
         });
         written.push_back({offender.name, offender.is_block, path.string()});
     }
+    discard_earlier(folder, written, files);
     return written;
 }
 

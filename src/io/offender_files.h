@@ -20,8 +20,9 @@ struct OffenderFile {
 };
 
 /// Writes STEM.offenders/face-NAME.vts and block-NAME.vts, STEM that of the grid's path; makes no
-/// folder where there are none. Points, and at the cells `scaled_jacobian`, `folded` and `worst`.
-/// `files` is to be committed after it. Throws MachineError.
+/// folder where there are none. Files of such names that an earlier run left there go. Points, and
+/// at the cells `scaled_jacobian`, `folded` and `worst`. `files` is to be committed after it.
+/// Throws MachineError.
 std::vector<OffenderFile> write_offenders(const std::vector<Offender>& offenders,
                                           const std::string& units,
                                           const std::filesystem::path& grid_path,

@@ -144,6 +144,17 @@ public:
         steps_.push_back(std::move(step));
     }
 
+    void remove(const fs::path& path) {
+        Step step{path, keep_former(path), false};
+        if (unlink(path.c_str()) != 0) {
+            const int error = errno;
+            if (!step.backup.empty()) unlink(step.backup.c_str());
+            throw MachineError(
+                fmt::format("cannot remove '{}': {}", path.string(), error_reason(error)));
+        }
+        steps_.push_back(std::move(step));
+    }
+
     void keep() {
         for (const Step& step : steps_) {
             if (!step.backup.empty()) unlink(step.backup.c_str());
@@ -261,6 +272,11 @@ fs::path OutputFiles::stage(const fs::path& final_path) {
     return staged_.back().temporary.path();
 }
 
+void OutputFiles::discard(const fs::path& path) {
+    require_folder(path, path);
+    discarded_.push_back(path);
+}
+
 void OutputFiles::write(const fs::path& temporary,
                         const std::function<void(const fs::path&)>& writer) const {
     try {
@@ -286,11 +302,17 @@ void OutputFiles::commit() {
         replacement.replace(staged.temporary.path(), staged.final_path, staged.given_path);
         folders.insert(folder_of(staged.final_path));
     }
+    for (const fs::path& path : discarded_) {
+        replacement.remove(path);
+        folders.insert(folder_of(path));
+    }
     for (const TemporaryFolder& made : folders_) folders.insert(folder_of(made.path()));
     for (const fs::path& folder : folders) flush(folder, folder);
     replacement.keep();
     for (Staged& staged : staged_) staged.temporary.release();
     staged_.clear();
+    for (const fs::path& path : discarded_) rmdir(folder_of(path).c_str());  // where it is empty
+    discarded_.clear();
     for (TemporaryFolder& made : folders_) made.release();
     folders_.clear();
 }

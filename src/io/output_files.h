@@ -78,8 +78,13 @@ public:
     void write(const std::filesystem::path& temporary,
                const std::function<void(const std::filesystem::path&)>& writer) const;
 
+    /// Has `commit` remove a file, and then its folder where that is left empty. Throws
+    /// MachineError when the folder may not be written.
+    void discard(const std::filesystem::path& path);
+
     /// Flushes every staged file to the disk, renames all of them into place and flushes their
-    /// folders. Throws MachineError when one of these steps fails; no final path has changed then.
+    /// folders; what is to be removed goes with them. Throws MachineError when one of these steps
+    /// fails; no final path has changed then.
     ///
     /// What is guaranteed: each single file is replaced in one step, whatever happens. Several
     /// files are replaced together unless the machine stops or the process is killed (SIGKILL)
@@ -96,6 +101,7 @@ private:
     };
     std::vector<TemporaryFolder> folders_;  // outlive what stands in them
     std::vector<Staged> staged_;
+    std::vector<std::filesystem::path> discarded_;
 };
 
 /// Makes SIGINT, SIGTERM and SIGHUP remove the temporary files before they end the process (which

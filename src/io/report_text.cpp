@@ -342,8 +342,11 @@ std::vector<std::string> faults(const Report& report) {
                                     counted(z.folded, "folded cell"), z.name, node_text(z),
                                     z.worst_place.x, z.worst_place.y, z.worst_place.z));
     }
+    const bool blocks = !report.solves.empty() && report.solves.back().is_block;
     for (const SolveMeasure& s : report.solves) {
-        if (s.result.untangling && s.result.untangling->left_at && s.result.folded_after > 0) {
+        const bool is_zone = s.is_block == blocks;
+        if (is_zone && s.result.untangling && s.result.untangling->left_at &&
+            s.result.folded_after > 0) {
             found.push_back(fmt::format("{} '{}' could not be untangled at {}",
                                         s.is_block ? "block" : "face", s.name,
                                         place_text(*s.result.untangling->left_at)));
@@ -378,6 +381,19 @@ std::string to_text(const Report& report, bool verbose) {
     text +=
         "\n" + angle_line(report) + growth_line(report) + wall_lines(report) + gate_lines(report);
     text += "\n" + stage_line(report);
+    return text;
+}
+
+std::string cautions(const Report& report) {
+    std::string text;
+    for (const SolveMeasure* face : report.folded_faces()) {
+        const auto& untangling = face->result.untangling;
+        text += fmt::format(
+            "warning: face '{}' folds as a surface, in {}{}{}\n", face->name,
+            counted(static_cast<std::size_t>(face->result.folded_after), "cell"),
+            untangling && untangling->left_at ? " at " + place_text(*untangling->left_at) : "",
+            report.folded() == 0 ? "; no cell of the blocks is folded" : "");
+    }
     return text;
 }
 

@@ -78,12 +78,25 @@ CellMarks mark_cells(const PointField& points) {
     return marks;
 }
 
+namespace {
+
+/// Whether a face or block is a zone with folded cells: at a level of a nested family it may be,
+/// though that of the solved level is not.
+bool is_folded_zone(const Report& report, const std::string& name) {
+    return std::any_of(report.zones.begin(), report.zones.end(), [&](const ZoneMeasure& zone) {
+        return zone.name == name && zone.folded > 0;
+    });
+}
+
+}  // namespace
+
 std::vector<Offender> find_offenders(const Report& report, const std::vector<FaceGrid>& faces,
                                      const std::vector<BlockGrid>& blocks) {
     std::vector<Offender> found;
     for (std::size_t n = 0; n < report.solves.size(); ++n) {
         const SolveMeasure& solve = report.solves[n];
-        if (solve.ended_well()) continue;
+        const bool is_zone = solve.is_block == report.solves.back().is_block;
+        if (solve.ended_well() && !(is_zone && is_folded_zone(report, solve.name))) continue;
         const PointField& points =
             solve.is_block ? blocks[n - faces.size()].points : faces[n].points;
         found.push_back({solve.name, solve.is_block, points, mark_cells(points)});

@@ -50,4 +50,13 @@ std::size_t Report::missed_gates() const {
     return static_cast<std::size_t>(std::count_if(gates.begin(), gates.end(), missed));
 }
 
+std::vector<const SolveMeasure*> Report::folded_faces() const {
+    std::vector<const SolveMeasure*> found;
+    if (zones.empty() || solves.empty() || !solves.back().is_block) return found;
+    for (const SolveMeasure& s : solves) {
+        if (!s.is_block && s.result.folded_after > 0) found.push_back(&s);
+    }
+    return found;
+}
+
 }  // namespace hexweave

@@ -147,6 +147,9 @@ struct Report {
     std::size_t mismatched() const;
     std::size_t unconverged() const;
     std::size_t missed_gates() const;
+    /// Faces of a grid of blocks that fold as surfaces. No cell of the grid need be folded for
+    /// that: those of the blocks are judged on their own.
+    std::vector<const SolveMeasure*> folded_faces() const;
     /// No folded cell, every solve converged, every interface the same on both sides, no gate
     /// missed.
     bool sound() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What ends folded or unconverged is said, and can be looked at alone.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -120,4 +121,61 @@ TEST_CASE("a sound grid leaves no file of offenders") {
     scratch.write("box.yaml", bent_box);
     CHECK(scratch.hexweave("run box.yaml --quiet").exit_code == 0);
     CHECK(scratch.listing() == "box.cgns box.yaml");
+}
+
+TEST_CASE("files of an earlier run's offenders go, and nothing else does") {
+    const Scratch scratch;
+    scratch.write("box.yaml", bent_box);
+    CHECK(scratch.hexweave("run box.yaml --set cycles=1 --quiet").exit_code == 1);
+    CHECK(scratch.has("box.offenders/block-box.vts"));
+    scratch.write("box.offenders/face-old.vts", "of a face that is no more");
+    CHECK(scratch.hexweave("run box.yaml --set cycles=1 --quiet").exit_code == 1);
+    CHECK(scratch.has("box.offenders/block-box.vts"));
+    CHECK(!scratch.has("box.offenders/face-old.vts"));
+
+    // A run that fails leaves them.
+    scratch.write("bad.yaml", "hexweave: 1\n");
+    CHECK(scratch.hexweave("run bad.yaml -o box.cgns").exit_code == 2);
+    CHECK(scratch.has("box.offenders/block-box.vts"));
+
+    // What the program does not write stays, and with it the folder.
+    scratch.write("box.offenders/notes.txt", "mine");
+    scratch.write("box.offenders/my.vts", "mine");
+    std::filesystem::create_directory(scratch.path() / "box.offenders/face-mine.vts");
+    std::filesystem::create_symlink(scratch.path() / "box.yaml",
+                                    scratch.path() / "box.offenders/face-link.vts");
+    CHECK(scratch.hexweave("run box.yaml --quiet").exit_code == 0);
+    CHECK(!scratch.has("box.offenders/block-box.vts"));
+    CHECK(scratch.read("box.offenders/notes.txt") == "mine");
+    CHECK(scratch.read("box.offenders/my.vts") == "mine");
+    CHECK(scratch.has("box.offenders/face-mine.vts"));
+    CHECK(scratch.has("box.offenders/face-link.vts"));
+    CHECK(scratch.has("box.yaml"));
+
+    std::filesystem::remove_all(scratch.path() / "box.offenders");
+    CHECK(scratch.hexweave("run box.yaml --set cycles=1 --quiet").exit_code == 1);
+    CHECK(scratch.hexweave("run box.yaml --quiet").exit_code == 0);
+    CHECK(scratch.listing() == "bad.yaml box.cgns box.yaml");
+}
+
+TEST_CASE("a face that folds as a surface is told, though no cell of its block is folded") {
+    const Scratch scratch;
+    // Two of its sides are darts: each has a corner that its neighbours turn inwards.
+    scratch.write("dart.yaml", R"(hexweave: 1
+vertices: {a: [-0.28, 0.43, -0.52], b: [1.28, -0.12, 0.09], c: [0.57, 0.31, -0.26], d: [0.04, 1.32, 0.18],
+           e: [0.64, -0.29, 0.92], f: [1.45, 0.46, 1.38], g: [1.21, 1.67, 0.56], h: [-0.6, 0.76, 1.52]}
+edges: {ab: {from: a, to: b, cells: 1}, ad: {from: a, to: d, cells: 1}, ae: {from: a, to: e, cells: 1}}
+blocks: {box: {corners: [a, b, c, d, e, f, g, h]}}
+boundaries: {all: {type: BCWall, sides: [a-b-c-d, e-f-g-h, a-b-f-e, d-c-g-h, a-d-h-e, b-c-g-f]}}
+)");
+    const Finished run = scratch.hexweave("run dart.yaml");
+    CHECK(run.exit_code == 0);
+    CHECK(contains(run.out, "\nsound: 1 zone, 1 cell, none folded"));
+    CHECK(contains(run.err,
+                   "warning: face 'a-b-c-d' folds as a surface, in 1 cell at (-0.28, 0.43, -0.52); "
+                   "no cell of the blocks is folded\n"));
+    CHECK(contains(run.out, "see dart.offenders/face-a-b-c-d.vts"));
+    CHECK(scratch.hexweave("run dart.yaml --strict").exit_code == 1);
+    const Finished quiet = scratch.hexweave("run dart.yaml --quiet");
+    CHECK(contains(quiet.err, "warning: face 'a-b-c-d' folds"));
 }
