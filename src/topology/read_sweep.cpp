@@ -37,52 +37,50 @@ std::optional<Located<int>> read_cells(Reading& reading, const YamlNode& node) {
     return Located<int>{*count, cells->place};
 }
 
-std::optional<SweepEntry> read_extrusion(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'extrude'", "extrude")) return std::nullopt;
-    SweepEntry sweep;
-    sweep.place = node.key_place;
-    read_ends(reading, node, sweep);
+/// What only 'extrude' has: the vector, and the law of the layers. False where there is no vector.
+bool read_way(Reading& reading, const YamlNode& node, SweepEntry& sweep) {
     const YamlNode* along = require(reading, node, "along", "'extrude'");
     const auto way = along == nullptr ? std::nullopt : read_point(reading, *along, "'along'");
-    const auto cells = read_cells(reading, node);
     if (const YamlNode* spacing = find(reading, node, "spacing")) {
         if (auto law = read_spacing(reading, *spacing)) {
             sweep.spacing = Located<SpacingEntry>{*law, spacing->place};
         }
     }
-    if (way && way->z == 0) {
+    if (!way) return false;
+    if (way->z == 0) {
         reading.diagnostics.error(along->place, "'along' must lead out of the plane z = 0",
                                   "write [0, 0, 1]");
-        return std::nullopt;
     }
-    if (!way || !cells) return std::nullopt;
     sweep.map = *way;
-    sweep.cells = *cells;
-    return sweep;
+    return way->z != 0;
 }
 
-std::optional<SweepEntry> read_revolution(Reading& reading, const YamlNode& node) {
-    if (!expect_mapping(reading, node, "'revolve'", "revolve")) return std::nullopt;
+/// What only 'revolve' has: the turn. False where there is none in the plane z = 0.
+bool read_axis(Reading& reading, const YamlNode& node, SweepEntry& sweep) {
+    require(reading, node, "axis", "'revolve'");
+    const auto turn = read_turn(reading, node, "'revolve'");
+    if (!turn) return false;
+    const bool leans = turn->axis.z != 0;
+    if (leans || turn->center.z != 0) {
+        reading.diagnostics.error(
+            find(reading, node, leans ? "axis" : "center")->place,
+            "the axis of 'revolve' must lie in the plane z = 0",
+            leans ? "write [1, 0, 0] or [0, 1, 0]" : "write a center of two numbers");
+        return false;
+    }
+    sweep.map = *turn;
+    return true;
+}
+
+std::optional<SweepEntry> read_sweep(Reading& reading, const YamlNode& node, const char* key,
+                                     bool (*read_map)(Reading&, const YamlNode&, SweepEntry&)) {
+    if (!expect_mapping(reading, node, fmt::format("'{}'", key), key)) return std::nullopt;
     SweepEntry sweep;
     sweep.place = node.key_place;
     read_ends(reading, node, sweep);
-    require(reading, node, "axis", "'revolve'");
-    const auto turn = read_turn(reading, node, "'revolve'");
+    const bool mapped = read_map(reading, node, sweep);
     const auto cells = read_cells(reading, node);
-    if (!turn || !cells) return std::nullopt;
-    if (turn->axis.z != 0) {
-        reading.diagnostics.error(find(reading, node, "axis")->place,
-                                  "the axis of 'revolve' must lie in the plane z = 0",
-                                  "write [1, 0, 0] or [0, 1, 0]");
-        return std::nullopt;
-    }
-    if (turn->center.z != 0) {
-        reading.diagnostics.error(find(reading, node, "center")->place,
-                                  "the axis of 'revolve' must lie in the plane z = 0",
-                                  "write a center of two numbers");
-        return std::nullopt;
-    }
-    sweep.map = *turn;
+    if (!mapped || !cells) return std::nullopt;
     sweep.cells = *cells;
     return sweep;
 }
@@ -107,8 +105,8 @@ std::optional<MirrorEntry> read_mirror(Reading& reading, const YamlNode& node) {
 void read_sweep_and_mirror(Reading& reading, const YamlNode& root, Case& c) {
     const YamlNode* extrude = find(reading, root, "extrude");
     const YamlNode* revolve = find(reading, root, "revolve");
-    if (extrude != nullptr) c.sweep = read_extrusion(reading, *extrude);
-    if (revolve != nullptr) c.sweep = read_revolution(reading, *revolve);
+    if (extrude != nullptr) c.sweep = read_sweep(reading, *extrude, "extrude", read_way);
+    if (revolve != nullptr) c.sweep = read_sweep(reading, *revolve, "revolve", read_axis);
     if (extrude != nullptr && revolve != nullptr) {
         reading.diagnostics.error(revolve->key_place,
                                   "a case has either 'extrude' or 'revolve', not both",
