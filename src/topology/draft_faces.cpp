@@ -10,6 +10,7 @@
 
 #include "topology/directions.h"
 #include "topology/draft.h"
+#include "topology/outline.h"
 
 namespace hexweave {
 
@@ -231,6 +232,25 @@ bool poles_are_sound(Draft& draft, const DraftFace& face, const NamedSides& name
     return sound;
 }
 
+/// The ways round a planar face that a grid can take, where there are some: those whose outline
+/// turns once, else those that turn once clockwise, whose remedy is told later.
+std::vector<FaceLoop> loops_that_turn_once(Draft& draft, std::vector<FaceLoop> loops) {
+    if (draft.three_dimensional()) return loops;
+    const auto edge = [&draft](int index) -> const Edge& { return draft.edge(index).edge; };
+    std::vector<FaceLoop> right;
+    std::vector<FaceLoop> left;
+    for (const FaceLoop& loop : loops) {
+        FrameSides sides;
+        for (std::size_t s = 0; s < 4; ++s) sides[s] = loop[s].uses;
+        const std::optional<int> turns = outline_turns(sides, edge);
+        if (!turns) return loops;
+        if (*turns == 1) right.push_back(loop);
+        if (*turns == -1) left.push_back(loop);
+    }
+    if (!right.empty()) return right;
+    return left.empty() ? loops : left;
+}
+
 void join_face(Draft& draft, DraftFace& face, const NamedSides& named) {
     const auto edges = find_edges(draft, named);
     if (!edges) return;
@@ -243,11 +263,12 @@ void join_face(Draft& draft, DraftFace& face, const NamedSides& named) {
         unbroken = false;
     }
     if (!unbroken) return;
-    const std::vector<FaceLoop> loops = face_loops(chains);
+    std::vector<FaceLoop> loops = face_loops(chains);
     if (loops.empty()) {
         report_open_loop(draft, face, most_closed_loop(chains), named);
         return;
     }
+    if (loops.size() > 1) loops = loops_that_turn_once(draft, std::move(loops));
     if (loops.size() > 1) {
         report_ambiguous(draft, face, loops, named);
         return;

@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/surface_patch.h"
 #include "geometry/surface_set.h"
 #include "topology/face_frame.h"
+#include "topology/outline.h"
 #include "topology/sample.h"
 
 namespace hexweave {
@@ -122,6 +125,12 @@ double outward_sign(Side side) {
     return is_max(side) == (axis_of(side) != 1) ? 1 : -1;
 }
 
+EdgeLookup edges_of(const Topology& topology) {
+    return [&topology](int index) -> const Edge& {
+        return topology.edges[static_cast<std::size_t>(index)];
+    };
+}
+
 std::string edges_text(const Topology& topology, const std::vector<EdgeUse>& side) {
     std::vector<std::string> names;
     names.reserve(side.size());
@@ -141,18 +150,56 @@ std::string corner_list(const std::array<Name, count>& corners,
     return text;
 }
 
+/// What to write so that a face whose lines i and j turn clockwise turns the other way.
 std::string face_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
     if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
         return fmt::format("list its corners the other way round: [{}]",
                            corner_list(*corners, {0, 3, 2, 1}));
     }
-    // To swap the two sides of a cut would change nothing.
-    const bool cut = face.side(Side::imin) == face.side(Side::imax);
-    const Side low = cut ? Side::jmin : Side::imin;
-    const Side high = cut ? Side::jmax : Side::imax;
-    return fmt::format("swap its sides {} ({}) and {} ({})", side_name(low),
-                       edges_text(topology, face.side(low)), side_name(high),
-                       edges_text(topology, face.side(high)));
+    if (face.side(Side::imin) == face.side(Side::imax)) {
+        // To swap the two sides of a cut would change nothing.
+        const auto written = [&](Side side) {
+            return fmt::format("{}: {}", side_name(side),
+                               chain_text(backwards(face.side(side)), edges_of(topology)));
+        };
+        return fmt::format("run i the other way round: {}, {}", written(Side::jmin),
+                           written(Side::jmax));
+    }
+    return fmt::format("swap its sides imin ({}) and imax ({}), with what is asked of them",
+                       edges_text(topology, face.side(Side::imin)),
+                       edges_text(topology, face.side(Side::imax)));
+}
+
+/// What to write so that the sides of a face do not cross; what to look at where that is not found.
+std::string crossing_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
+    if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
+        // Of the four corners in an order that goes round them.
+        std::array<std::size_t, 4> order{0, 1, 2, 3};
+        const auto twice_area = [&] {
+            double sum = 0;
+            for (std::size_t n = 0; n < 4; ++n) {
+                sum += cross(position(topology, face.corners[order[n]]),
+                             position(topology, face.corners[order[(n + 1) % 4]]))
+                           .z;
+            }
+            return sum;
+        };
+        std::array<std::size_t, 4> best = order;
+        double largest = twice_area();
+        while (std::next_permutation(order.begin() + 1, order.end())) {
+            if (twice_area() <= largest) continue;
+            largest = twice_area();
+            best = order;
+        }
+        return fmt::format("list its corners going round it: [{}]", corner_list(*corners, best));
+    }
+    if (const auto way = reroute(face.sides, edges_of(topology))) {
+        return fmt::format("run the other way round there: {}: {}",
+                           side_name(static_cast<Side>(way->side)),
+                           chain_text(way->uses, edges_of(topology)));
+    }
+    return "jmin and jmax lead from imin to imax, side by side; so do imin and imax from jmin to "
+           "jmax";
 }
 
 std::string block_remedy(const Topology& topology, const Block& block, const BlockEntry& entry) {
@@ -178,6 +225,17 @@ std::string block_remedy(const Topology& topology, const Block& block, const Blo
 void check_face(const Network& network, std::size_t index, Diagnostics& diagnostics) {
     const Topology& topology = network.topology;
     const Face& face = topology.faces[index];
+    const FaceEntry* const entry =
+        network.face_entries[index];  // null for a made face, which is sound
+    const std::optional<int> turns = outline_turns(face.sides, edges_of(topology));
+    if (turns && *turns != 1 && *turns != -1) {
+        diagnostics.error(face.place,
+                          fmt::format("the sides of face {} cross, or run round it in opposite "
+                                      "senses: no grid can lie between them",
+                                      quoted(face.name)),
+                          crossing_remedy(topology, face, *entry));
+        return;
+    }
     double size = 0;
     for (const auto& side : face.sides) {
         for (const EdgeUse& use : side) size += network.edge(use.edge).length;
@@ -192,7 +250,7 @@ void check_face(const Network& network, std::size_t index, Diagnostics& diagnost
     diagnostics.error(face.place,
                       fmt::format("face {} is left-handed: seen from +z, i to j turns clockwise",
                                   quoted(face.name)),
-                      face_remedy(topology, face, *network.face_entries[index]));
+                      face_remedy(topology, face, *entry));
 }
 
 void check_block(const Network& network, std::size_t index, Diagnostics& diagnostics) {

@@ -26,7 +26,7 @@ faces:
 9: warning: edge 'ef' is not a side of any face
 10: warning: edge 'fc' is not a side of any face
 12: error: face 'f' is left-handed: seen from +z, i to j turns clockwise
-  hint: swap its sides imin ('bc') and imax ('ad')
+  hint: swap its sides imin ('bc') and imax ('ad'), with what is asked of them
 )");
 }
 
@@ -168,12 +168,12 @@ faces:
 )");
 }
 
-TEST_CASE("Closed edges leave directions ambiguous, and signs decide") {
+TEST_CASE("Closed edges in space leave directions ambiguous, and signs decide") {
     const std::string text = R"(
 curves:
   inner: {circle: {center: [0, 0], radius: 1}}
-  outer: {circle: {center: [0, 0], radius: 2}}
-vertices: {a: [1, 0], b: [2, 0]}
+  outer: {circle: {center: [0, 0, 1], normal: [0, 0, 1], radius: 2}}
+vertices: {a: [1, 0], b: [2, 0, 1]}
 edges:
   in: {from: a, to: a, along: inner, cells: 16}
   out: {from: b, to: b, along: outer}
@@ -193,8 +193,8 @@ TEST_CASE("One sign may leave another edge open") {
     const std::string text = R"(
 curves:
   inner: {circle: {center: [0, 0], radius: 1}}
-  outer: {circle: {center: [0, 0], radius: 2}}
-vertices: {a: [1, 0], b: [2, 0]}
+  outer: {circle: {center: [0, 0, 1], normal: [0, 0, 1], radius: 2}}
+vertices: {a: [1, 0], b: [2, 0, 1]}
 edges:
   in: {from: a, to: a, along: inner, cells: 16}
   out: {from: b, to: b, along: outer}
@@ -209,7 +209,81 @@ boundaries:
 )");
 }
 
-TEST_CASE("A left-handed ring swaps the sides that are not its cut") {
+TEST_CASE("In the plane the way round closed edges follows from that round the others") {
+    const auto ring = [](const std::string& sides) {
+        return R"(
+curves:
+  inner: {circle: {center: [0, 0], radius: 1}}
+  outer: {circle: {center: [0, 0], radius: 2}}
+vertices: {a: [1, 0], b: [2, 0]}
+edges:
+  in: {from: a, to: a, along: inner, cells: 16}
+  out: {from: b, to: b, along: outer}
+  seam: {from: a, to: b, cells: 8}
+faces:
+  ring: {imin: seam, imax: seam, )" +
+               sides + R"(}
+boundaries:
+  all: {type: BCWall, sides: [in, out]}
+)";
+    };
+    for (const char* written :
+         {"jmin: in, jmax: out", "jmin: in, jmax: -out", "jmin: -in, jmax: out",
+          "jmin: -in, jmax: -out", "jmin: out, jmax: in"}) {
+        INFO(written);
+        CHECK(faults(ring(written)).empty());
+    }
+    CHECK(
+        faults(ring("jmin: +in, jmax: -out")) ==
+        R"(11: error: the sides of face 'ring' cross, or run round it in opposite senses: no grid can lie between them
+  hint: run the other way round there: jmin: -in
+)");
+}
+
+TEST_CASE("Sides that cross are told with a way that does not") {
+    const std::string text = R"(
+curves:
+  over: {formula: [t, 0.1 * sin(pi * t)], range: [0, 1]}
+  under: {formula: [t, -0.1 * sin(pi * t)], range: [0, 1]}
+  bow: {arc: {center: [1, 0], radius: 3, from: pi/2, to: 3*pi/2}}
+vertices: {nose: [0, 0], tail: [1, 0], out: [4, 0], high: [4, 3], low: [4, -3], front_high: [1, 3], front_low: [1, -3]}
+edges:
+  over: {from: nose, to: tail, along: over, cells: 16}
+  under: {from: nose, to: tail, along: under, cells: 16}
+  wake: {from: tail, to: out, cells: 8}
+  top: {from: front_high, to: high, cells: 8}
+  bottom: {from: front_low, to: low, cells: 8}
+  bow: {from: front_low, to: front_high, along: bow}
+  up: {from: out, to: high, cells: 8}
+  down: {from: out, to: low}
+faces:
+  c: {jmin: [wake, over, under, wake], jmax: [bottom, bow, top], imin: down, imax: up}
+boundaries:
+  all: {type: BCWall, sides: [bottom, bow, down, over, top, under, up]}
+)";
+    CHECK(
+        faults(text) ==
+        R"(17: error: the sides of face 'c' cross, or run round it in opposite senses: no grid can lie between them
+  hint: run the other way round there: jmin: [wake, under, over, wake]
+)");
+    const std::string bow_tie = R"(
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1]}
+edges:
+  ab: {from: a, to: b, cells: 4}
+  bd: {from: b, to: d, cells: 4}
+faces:
+  f: {corners: [a, b, d, c]}
+boundaries:
+  all: {type: BCWall, sides: [a-c, ab, bd, c-d]}
+)";
+    CHECK(
+        faults(bow_tie) ==
+        R"(7: error: the sides of face 'f' cross, or run round it in opposite senses: no grid can lie between them
+  hint: list its corners going round it: [a, b, c, d]
+)");
+}
+
+TEST_CASE("A left-handed ring runs the other way round, its cut as it is") {
     const std::string text = R"(
 curves:
   inner: {circle: {center: [0, 0], radius: 1}}
@@ -226,7 +300,7 @@ boundaries:
 )";
     CHECK(faults(text) ==
           R"(11: error: face 'ring' is left-handed: seen from +z, i to j turns clockwise
-  hint: swap its sides jmin ('in') and jmax ('out')
+  hint: run i the other way round: jmin: -in, jmax: -out
 )");
 }
 
