@@ -78,7 +78,7 @@ std::string boundary_table(const GridQuality& q) {
     const auto name = [](const WallMeasure& b) { return b.family; };
     const std::size_t width = width_of(q.boundaries, 8, name);
     std::string text =
-        fmt::format("\n{:<{}} {:>9} | {:>22} | {:>11} {:>11} {:>11}\n", "boundary", width, "nodes",
+        fmt::format("\n{:<{}} {:>9} | {:>22} | {:>11} {:>11} {:>11}\n", "boundary", width, "judged",
                     "off normal, ADO, MDO", "height min", "median", "max");
     for (const WallMeasure& b : q.boundaries) {
         text += fmt::format("{:<{}} {:>9} | {:>13.2f} {:>8.2f} | {:>11.4e} {:>11.4e} {:>11.4e}\n",

@@ -56,7 +56,7 @@ Json gate(const GateResult& g) {
     return {{"gate", gate_name(g.measure)},
             {"subject", g.subject},
             {"limit", json_of(g.limit)},
-            {"got", json_of(g.got)},
+            {"got", g.judged ? json_of(g.got) : Json(nullptr)},
             {"met", g.met},
             {"where", g.where},
             {"place", json_of(g.place)},

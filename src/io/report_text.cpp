@@ -289,21 +289,50 @@ std::string growth_line(const Report& report) {
 std::string wall_lines(const Report& report) {
     std::string text;
     for (const WallMeasure& w : report.walls) {
-        text += fmt::format(
-            "wall '{}': lines leave {:.2g} degrees off its normal on average, {:.2g} at most, "
-            "{:.2g} "
-            "beside its ends; first heights {:.3g} to {:.3g}, median {:.3g}\n",
-            w.family, w.mean_angle, w.greatest_angle, w.greatest_angle_beside_ends, w.least_height,
-            w.greatest_height, w.median_height);
+        text += fmt::format("wall '{}': ", w.family);
+        if (w.nodes > 0) {
+            text += fmt::format(
+                "lines leave {:.2g} degrees off its normal on average, {:.2g} at most, {:.2g} "
+                "beside its ends; ",
+                w.mean_angle, w.greatest_angle, w.greatest_angle_beside_ends);
+        } else {
+            text += "too few nodes to measure angles; ";
+        }
+        text += fmt::format("first heights {:.3g} to {:.3g}, median {:.3g}\n", w.least_height,
+                            w.greatest_height, w.median_height);
     }
     return text;
 }
 
+/// Why a gate had nothing to judge.
+std::string nothing_to_judge(GateMeasure measure) {
+    switch (measure) {
+        case GateMeasure::max_growth:
+            return "no grid line has two cells";
+        case GateMeasure::max_wall_angle:
+            return "no boundary of a wall type has nodes off its ends";
+        case GateMeasure::wall_spacing_error:
+            return "no spacing and no height was asked";
+        case GateMeasure::min_scaled_jacobian:
+        case GateMeasure::min_angle:
+        case GateMeasure::max_angle:
+        case GateMeasure::max_skewness:
+            break;
+    }
+    return "no cell has a corner that counts";
+}
+
 std::string gate_text(const GateResult& g) {
     const bool lower = is_lower_limit(g.measure);
-    std::string text =
-        fmt::format("{}{} {:.4g}, {} {:.4g} required", g.subject.empty() ? "" : g.subject + ": ",
-                    gate_name(g.measure), g.got, lower ? "at least" : "at most", g.limit);
+    const std::string name =
+        (g.subject.empty() ? "" : g.subject + ": ") + std::string(gate_name(g.measure));
+    const std::string limit =
+        fmt::format("{} {:.4g} required", lower ? "at least" : "at most", g.limit);
+    if (!g.judged) {
+        return fmt::format("{}, {}: nothing to judge, as {}", name, limit,
+                           nothing_to_judge(g.measure));
+    }
+    std::string text = fmt::format("{} {:.4g}, {}", name, g.got, limit);
     if (!g.where.empty()) text += ", in " + g.where;
     if (g.place) text += " at " + place_text(*g.place);
     return text;

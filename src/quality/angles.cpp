@@ -52,7 +52,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 void AngleMeasure::include(double angle, const Vec3& place) {
     const double off = std::abs(angle - 90);
-    if (off > std::max(90 - least, greatest - 90)) worst_place = place;
+    if (corners == 0 || off > std::max(90 - least, greatest - 90)) worst_place = place;
     ++corners;
     within_5 += off <= 5;
     within_10 += off <= 10;
@@ -61,7 +61,9 @@ void AngleMeasure::include(double angle, const Vec3& place) {
 }
 
 void AngleMeasure::include(const AngleMeasure& other) {
-    if (std::max(90 - other.least, other.greatest - 90) > std::max(90 - least, greatest - 90)) {
+    if (other.corners == 0) return;
+    if (corners == 0 ||
+        std::max(90 - other.least, other.greatest - 90) > std::max(90 - least, greatest - 90)) {
         worst_place = other.worst_place;
     }
     corners += other.corners;

@@ -38,7 +38,8 @@ public:
     }
 
     GateResult finish() {
-        result.met = !found_ || (lower_ ? result.got >= result.limit : result.got <= result.limit);
+        result.judged = found_;
+        result.met = found_ && (lower_ ? result.got >= result.limit : result.got <= result.limit);
         return result;
     }
 
@@ -56,10 +57,12 @@ std::string zone_text(const std::string& name) {
 void include_growth(const Subject& subject, Worst& worst) {
     for (const ZoneMeasure* zone : subject.zones) {
         for (const GrowthMeasure& growth : zone->growth) {
+            if (!growth.measured) continue;
             worst.include(growth.ratio, zone_text(zone->name), growth.place);
         }
     }
     for (const InterfaceMeasure* interface : subject.interfaces) {
+        if (!interface->growth.measured) continue;
         worst.include(interface->growth.ratio, "interface '" + interface->name + "'",
                       interface->growth.place);
     }
@@ -122,6 +125,7 @@ GateResult judge(const Gate& gate, const Subject& subject) {
             break;
         case GateMeasure::max_wall_angle:
             for (const WallMeasure& wall : subject.walls) {
+                if (wall.nodes == 0) continue;
                 worst.include(wall.greatest_angle, "wall '" + wall.family + "'", wall.worst_place);
             }
             break;

@@ -11,7 +11,8 @@ void GrowthMeasure::include(double length, double next_length, const Vec3& at_no
     const double shorter = std::min(length, next_length);
     if (!(shorter > 0)) return;
     const double found = std::max(length, next_length) / shorter;
-    if (found <= ratio) return;
+    if (measured && found <= ratio) return;
+    measured = true;
     ratio = found;
     place = at_node;
 }

@@ -15,7 +15,8 @@ namespace hexweave {
 /// shorter; 1 where no line has two. Intervals without length, at a pole, do not count.
 struct GrowthMeasure {
     double ratio = 1;
-    Vec3 place;  ///< the node between the two
+    Vec3 place;             ///< the node between the two
+    bool measured = false;  ///< whether a line has two
 
     void include(double length, double next_length, const Vec3& at);
 };

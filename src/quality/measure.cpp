@@ -109,6 +109,7 @@ ZoneMeasure measure_zone(const Zone& zone, int physical_dimension) {
     measure.name = zone.name;
     measure.extent = zone.points.extent();
     measure.cells = measure.extent.cells();
+    measure.worst_place = zone.points[0];  // until a corner is worse than perfect
     measure.angles = measure_angles(zone.points);
     measure.growth = measure_growth(zone.points);
     measure_cells(zone.points, physical_dimension == 2, measure);

@@ -101,10 +101,11 @@ struct PutMeasure {
 struct GateResult {
     GateMeasure measure = GateMeasure::min_scaled_jacobian;
     double limit = 0;
-    double got = 0;  ///< the worst; 0 where there was nothing to judge
+    double got = 0;      ///< the worst; 0 where nothing was judged
+    bool judged = true;  ///< whether there was anything to judge; if not, the gate is not met
     bool met = true;
     std::string subject;  ///< "face 'x'", "block 'y'"; empty for the whole grid
-    std::string where;    ///< "zone 'z'", "edge 'e'"; empty where there was nothing to judge
+    std::string where;    ///< "zone 'z'", "edge 'e'"; empty where nothing was judged
     std::optional<Vec3> place;
     Place asked_at;
 };

@@ -10,7 +10,9 @@ namespace hexweave {
 
 namespace {
 
-/// A patch as seen from its zone: the axis that leaves it, which way, and the axes along it.
+/// A patch as seen from its zone: the axis that leaves it, which way, and the axes along it. One
+/// along which the zone is one cell thick, as after a sweep, is none: its nodes stand on the two
+/// sections.
 struct PatchAxes {
     std::size_t normal = 0;
     int inward = 1;
@@ -23,11 +25,12 @@ PatchAxes axes_of(const IndexBox& box, const Extent& extent) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int last = extent[static_cast<int>(axis)] - 1;
         if (last == 0) continue;
+        const bool is_thin = last == 1;
         if (!found && box.begin[axis] == box.end[axis]) {
             axes.normal = axis;
             axes.inward = box.begin[axis] == 0 ? 1 : -1;
             found = true;
-        } else {
+        } else if (!is_thin) {
             axes.along.push_back(axis);
         }
     }
@@ -102,7 +105,7 @@ void WallCollector::include_node(const PointField& x, const PatchAxes& axes, con
     const Vec3 interval = neighbour(x, n, axes.normal, axes.inward) - place;
     const double height = norm(interval);
     if (height != 0) heights_.push_back(height);
-    if (from_end == 0 || is_collapsed(x, axes, n)) return;
+    if (axes.along.empty() || from_end == 0 || is_collapsed(x, axes, n)) return;
     std::vector<Vec3> tangents;
     for (const std::size_t axis : axes.along) tangents.push_back(tangent(x, n, axis));
     const double angle = angle_from_normal(interval, tangents);
@@ -112,7 +115,7 @@ void WallCollector::include_node(const PointField& x, const PatchAxes& axes, con
     }
     ++measure_.nodes;
     measure_.mean_angle += angle;
-    if (angle <= measure_.greatest_angle) return;
+    if (measure_.nodes > 1 && angle <= measure_.greatest_angle) return;
     measure_.greatest_angle = angle;
     measure_.worst_place = place;
 }

@@ -13,13 +13,13 @@ namespace hexweave {
 
 /// The first intervals of the grid lines that leave a family of walls. Heights are their lengths,
 /// at every node of its patches (those without length, of poles, do not count). Angles are degrees
-/// from the wall's normal (in a surface grid: from its normal within the surface), at every node
-/// but those on the ends of patches, where edges give the line, and those where a side is
-/// collapsed, which has no normal; nodes beside an end, where a grid line may be squeezed by a
-/// corner, are counted apart.
+/// from the wall's normal (in a surface grid: from its normal within the surface; in a zone one
+/// cell thick: within the section), at every node but those on the ends of patches, where edges
+/// give the line, and those where a side is collapsed, which has no normal; nodes beside an end,
+/// where a grid line may be squeezed by a corner, are counted apart.
 struct WallMeasure {
     std::string family;
-    std::size_t nodes = 0;  ///< not beside an end
+    std::size_t nodes = 0;  ///< at which angles are measured, not beside an end; 0: none are
     double mean_angle = 0;
     double greatest_angle = 0;
     Vec3 worst_place;

@@ -57,6 +57,31 @@ TEST_CASE("a missed gate is named with its place in the file and in the grid, an
     CHECK_THAT(run.out + run.err, Contains("face 'f': max_wall_angle 30, at most 10 required"));
 }
 
+TEST_CASE("a gate for which there is nothing to be judged is missed, and says why") {
+    const Scratch scratch;
+    std::string open = slanted("{max_wall_angle: 89}");
+    open.replace(open.find("BCWall"), 6, "BCFarfield");
+    scratch.write("slant.yaml", open);
+    const Finished run = scratch.hexweave("run slant.yaml --json out.json");
+    INFO(run.out << run.err);
+    CHECK(run.exit_code == 1);
+    CHECK_THAT(run.out, Contains("gate MISSED: max_wall_angle, at most 89 required: nothing to "
+                                 "judge, as no boundary of a wall type has nodes off its ends"));
+    const auto gate = nlohmann::json::parse(scratch.read("out.json"))["report"]["gates"][0];
+    CHECK(gate["met"] == false);
+    CHECK(gate["got"].is_null());
+}
+
+TEST_CASE("walls of a grid extruded by one cell are judged within its sections") {
+    const Scratch scratch;
+    scratch.write("slant.yaml",
+                  slanted("{max_wall_angle: 10}") + "extrude: {along: [0, 0, 1], cells: 1}\n");
+    const Finished run = scratch.hexweave("run slant.yaml");
+    INFO(run.out << run.err);
+    CHECK(run.exit_code == 1);
+    CHECK_THAT(run.out, Contains("gate MISSED: max_wall_angle 30, at most 10 required"));
+}
+
 TEST_CASE("quality judges a grid of another's making and says so by its exit code") {
     const Scratch scratch;
     const std::string grid = HEXWEAVE_SOURCE_DIR "/tests/io/grids/n0012_113-33.p2d";

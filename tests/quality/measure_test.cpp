@@ -37,6 +37,48 @@ TEST_CASE("a box of cubes has scaled Jacobian one and no fold") {
     CHECK(m.worst_scaled_jacobian == Approx(1).epsilon(1e-15));
 }
 
+TEST_CASE("the worst place of a zone lies in the zone, though all of it be perfect") {
+    for (const int nk : {3, 1}) {
+        const ZoneMeasure m = measure_zone(make_zone({4, 5, nk},
+                                                     [](double i, double j, double k) {
+                                                         return Vec3{7 + i, 8 + 2 * j, 9 + k};
+                                                     }),
+                                           nk == 1 ? 2 : 3);
+        CHECK(m.worst_scaled_jacobian == 1);
+        CHECK(m.angles.greatest == 90);
+        for (const Vec3& place : {m.worst_place, m.angles.worst_place, m.growth[0].place}) {
+            CHECK(place.x >= 7);
+            CHECK(place.y >= 8);
+            CHECK(place.z >= 9);
+        }
+        CHECK(m.growth[0].measured);
+        CHECK(m.growth[2].measured == (nk > 2));
+        AngleMeasure all;
+        all.include(AngleMeasure{});
+        all.include(m.angles);
+        CHECK(all.worst_place == m.angles.worst_place);
+    }
+}
+
+TEST_CASE("in a zone one cell thick lines leave a wall within its sections") {
+    // Cells that lean by 0.2 radians, about an axis at y = -5 in two wedges, or straight on.
+    for (const double wedge : {0.0, 0.3}) {
+        MultiblockGrid grid;
+        grid.zones.push_back(make_zone({7, 4, 2}, [&](double i, double j, double k) {
+            const double radius = 5 + j;
+            return Vec3{i + j * std::tan(0.2), radius * std::cos(wedge * k) - 5,
+                        wedge == 0 ? k : radius * std::sin(wedge * k)};
+        }));
+        grid.families = {{"wall", "BCWallViscous"}};
+        grid.patches.push_back({"wall", 0, {{0, 0, 0}, {6, 0, 1}}, 0});
+        const WallMeasure wall = measure_walls(grid).front();
+        CHECK(wall.nodes == 2 * 3);
+        CHECK(wall.mean_angle == Approx(0.2 * 180 / pi).epsilon(1e-9));
+        CHECK(wall.greatest_angle == Approx(0.2 * 180 / pi).epsilon(1e-9));
+        CHECK(wall.greatest_angle_beside_ends == Approx(0.2 * 180 / pi).epsilon(1e-9));
+    }
+}
+
 TEST_CASE(
     "the scaled Jacobian of sheared cells is the sine of their angle, whatever their aspect") {
     const double angle = pi / 3;
