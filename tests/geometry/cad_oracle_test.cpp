@@ -290,7 +290,7 @@ TEST_CASE("units other than millimetres leave the numbers of the file", "[cad]")
     write_iges(BRepPrimAPI_MakeSphere(25.4).Shape(), file.path, "INCH");
     const CadFile inches = read_text(slurp(file.path));
     CHECK(inches.unit == "in");
-    const CadBox& box = faces_of(inches).front().box;
+    const CadBox box = faces_of(inches).front().box;
     CHECK(box.high.z == Approx(1).epsilon(1e-6));
     CHECK(box.low.z == Approx(-1).epsilon(1e-6));
 }
