@@ -23,10 +23,6 @@ boundaries:
   rim: {type: BCWall, sides: [south, east, west, e-f, c-d, c-f]}
 )";
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a config may ask for several formats at once") {

@@ -10,14 +10,6 @@
 
 using namespace hexweave::testing;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("docs/reference.md is what the program prints") {
     const Scratch scratch;
     const Finished docs = scratch.hexweave("docs");

@@ -24,10 +24,6 @@ boundaries:
   rim: {type: BCWall, sides: [south, west, b-c, c-d]}
 )";
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// Whether every line of `part` stands in `text`, in the same order.
 bool contains_lines(const std::string& text, const std::string& part) {
     std::istringstream lines(part);
@@ -332,11 +328,7 @@ TEST_CASE("the JSON tells the outcome whatever it was") {
 
 TEST_CASE("a result that did not converge is written, named and gives exit code 1") {
     const Scratch scratch;
-    std::string text = slurp(shipped("obstacle.yaml"));
-    const std::size_t at = text.find("solver: {");
-    REQUIRE(at != std::string::npos);
-    text.insert(at + 9, "maximum_cycles: 2, ");
-    scratch.write("hard.yaml", text);
+    scratch.write("hard.yaml", shipped_with("obstacle.yaml", "solver: {", "maximum_cycles: 2, "));
     const Finished run = scratch.hexweave("run hard.yaml -o hard.cgns");
     CHECK(run.exit_code == 1);
     CHECK(scratch.has("hard.cgns"));

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the two sides of an interface of a finished grid are the same, or images of each other.
+// What is asked of the nodes of a finished grid: whether the two sides of an interface are the
+// same, or images of each other, and where those of a family are.
 #pragma once
 
 #include <algorithm>
+#include <functional>
+#include <string>
 
 #include "core/multiblock.h"
 #include "core/periodic_image.h"
@@ -31,6 +34,18 @@ inline int not_images(const MultiblockGrid& grid, const Interface& interface,
         }
     }
     return std::min(off_there, off_back);
+}
+
+/// Calls look(point) for every node of every patch of a family.
+inline void for_each_node(const MultiblockGrid& grid, const std::string& family,
+                          const std::function<void(const Vec3&)>& look) {
+    for (const BoundaryPatch& patch : grid.patches) {
+        if (grid.families[static_cast<std::size_t>(patch.family)].name != family) continue;
+        const PointField& x = grid.zones[static_cast<std::size_t>(patch.zone)].points;
+        for (int k = patch.box.begin[2]; k <= patch.box.end[2]; ++k)
+            for (int j = patch.box.begin[1]; j <= patch.box.end[1]; ++j)
+                for (int i = patch.box.begin[0]; i <= patch.box.end[0]; ++i) look(x(i, j, k));
+    }
 }
 
 }  // namespace hexweave::testing

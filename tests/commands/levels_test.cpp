@@ -97,9 +97,7 @@ void write_good(const Scratch& scratch, const std::string& name, const std::stri
 
 /// A shipped case with more keys.
 void write_with(const Scratch& scratch, const std::string& name, const std::string& keys) {
-    std::string text = slurp(shipped(name));
-    text.insert(text.find("hexweave: 1\n") + 12, keys + "\n");
-    scratch.write(name, text);
+    scratch.write(name, shipped_with(name, "hexweave: 1\n", keys + "\n"));
 }
 
 /// An airfoil-like bump with cells at a wall, heights held there, a composed side.

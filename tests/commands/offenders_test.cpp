@@ -43,10 +43,6 @@ boundaries:
 solver: {maximum_cycles: cycles}
 )";
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// What VTK finds in a file; "skipped: ..." where there is no VTK.
 std::string seen_by_vtk(const Scratch& scratch, const std::string& file) {
     return scratch

@@ -72,4 +72,16 @@ std::string Scratch::listing() const {
     return joined;
 }
 
+std::string shipped_with(const std::string& name, const std::string& after,
+                         const std::string& more) {
+    std::string text = slurp(shipped(name));
+    const std::size_t at = text.find(after);
+    if (at == std::string::npos) throw std::runtime_error(name + " has no '" + after + "'");
+    return text.insert(at + after.size(), more);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 }  // namespace hexweave::testing

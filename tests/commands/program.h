@@ -44,4 +44,15 @@ std::string slurp(const std::filesystem::path& path);
 /// A file of configs/.
 std::string shipped(const std::string& name);
 
+/// The text of a shipped config with more of it after the first place where `after` stands.
+std::string shipped_with(const std::string& name, const std::string& after,
+                         const std::string& more);
+
+bool contains(const std::string& text, const std::string& part);
+
+/// Options that make the grid of `vane_annulus.yaml` small.
+inline const std::string small_annulus =
+    " --set span_cells=6 --set ring_cells=20 --set front_cells=12 --set side_cells=20 "
+    "--set rear_cells=14 --set gap_cells=8 --set inlet_cells=10 --set outlet_cells=16";
+
 }  // namespace hexweave::testing

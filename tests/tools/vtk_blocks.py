@@ -9,11 +9,7 @@ SUM adds all coordinates in the order of the file, so that one bit that is wrong
 """
 import sys
 
-try:
-    import vtk
-except ImportError:
-    print("skipped: VTK's Python modules are not installed (Debian: python3-vtk9)")
-    sys.exit(77)
+from vtk_reading import read, size_text, vtk
 
 
 def number(value):
@@ -32,8 +28,7 @@ def describe(grid):
     for n in range(data.GetNumberOfArrays()):
         array = data.GetAbstractArray(n)
         fields[array.GetName()] = array.GetValue(0)
-    size = "x".join(str(nodes) for nodes in grid.GetDimensions())
-    return " ".join([size, number(total)] + [f"{key}={fields[key]}" for key in sorted(fields)])
+    return " ".join([size_text(grid), number(total)] + [f"{key}={fields[key]}" for key in sorted(fields)])
 
 
 def walk(block, path):
@@ -50,18 +45,8 @@ def walk(block, path):
 
 
 def main():
-    reader = vtk.vtkXMLMultiBlockDataReader()
-    failures = []
-    for event in ("ErrorEvent", "WarningEvent"):
-        reader.AddObserver(event, lambda _, kind: failures.append(kind))
-    reader.SetFileName(sys.argv[1])
-    reader.Update()
-    if failures:
-        print(f"VTK reports {failures[0]}")
-        return 2
-    walk(reader.GetOutput(), [])
-    return 0
+    walk(read(vtk.vtkXMLMultiBlockDataReader(), sys.argv[1]), [])
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -9,11 +9,7 @@ LEAST is the cell of the least scaled Jacobian as VTK itself has it, counted fro
 """
 import sys
 
-try:
-    import vtk
-except ImportError:
-    print("skipped: VTK's Python modules are not installed (Debian: python3-vtk9)")
-    sys.exit(77)
+from vtk_reading import read, size_text, vtk
 
 
 def values(data, name):
@@ -22,16 +18,7 @@ def values(data, name):
 
 
 def main():
-    reader = vtk.vtkXMLStructuredGridReader()
-    failures = []
-    for event in ("ErrorEvent", "WarningEvent"):
-        reader.AddObserver(event, lambda _, kind: failures.append(kind))
-    reader.SetFileName(sys.argv[1])
-    reader.Update()
-    if failures:
-        print(f"VTK reports {failures[0]}")
-        return 2
-    grid = reader.GetOutput()
+    grid = read(vtk.vtkXMLStructuredGridReader(), sys.argv[1])
     quality = vtk.vtkMeshQuality()
     quality.SetInputData(grid)
     quality.SetQuadQualityMeasureToScaledJacobian()
@@ -42,12 +29,10 @@ def main():
     marks = values(grid.GetCellData(), "worst")
     least = min(range(len(theirs)), key=lambda n: theirs[n])
     worst = sorted((rank, n) for n, rank in enumerate(marks) if rank)
-    size = "x".join(str(nodes) for nodes in grid.GetDimensions())
     name = grid.GetFieldData().GetAbstractArray("Name").GetValue(0)
-    print(f"{size} {name} cells={grid.GetNumberOfCells()} folded={int(sum(folded))} least={least} "
+    print(f"{size_text(grid)} {name} cells={grid.GetNumberOfCells()} folded={int(sum(folded))} least={least} "
           f"worst={','.join(str(n) for _, n in worst)}")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

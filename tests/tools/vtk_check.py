@@ -13,11 +13,7 @@ Exit 77: VTK is not installed (Debian: python3-vtk9); any other: VTK could not r
 import argparse
 import sys
 
-try:
-    import vtk
-except ImportError:
-    print("skipped: VTK's Python modules are not installed (Debian: python3-vtk9)")
-    sys.exit(77)
+from vtk_reading import vtk
 
 
 def children(block):

@@ -12,26 +12,14 @@ not read a file.
 """
 import sys
 
+from vtk_reading import read, vtk
+
 try:
     import numpy
-    import vtk
     from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 except ImportError:
-    print("skipped: VTK's Python modules are not installed (Debian: python3-vtk9)")
+    print("skipped: numpy is not installed (Debian: python3-numpy)")
     sys.exit(77)
-
-
-def read(path):
-    reader = vtk.vtkXMLStructuredGridReader()
-    failures = []
-    for event in ("ErrorEvent", "WarningEvent"):
-        reader.AddObserver(event, lambda _, kind: failures.append(kind))
-    reader.SetFileName(path)
-    reader.Update()
-    if failures:
-        print(f"VTK reports {failures[0]} for {path}")
-        sys.exit(2)
-    return reader.GetOutput()
 
 
 def theirs(grid, hexahedron, quadrilateral):
@@ -107,7 +95,7 @@ def compare(grid, worst):
 
 def main():
     worst = {"scaled_jacobian": 0.0, "jacobian": 0.0, "volume": 0.0}
-    cells = sum(compare(read(path), worst) for path in sys.argv[1:])
+    cells = sum(compare(read(vtk.vtkXMLStructuredGridReader(), path), worst) for path in sys.argv[1:])
     print(cells, *(f"{difference:.1e}" for difference in worst.values()))
     return 0
 
