@@ -12,12 +12,13 @@ using nlohmann::json;
 
 namespace {
 
-/// An outline that crosses itself: no grid of it is sound.
+/// An outline that crosses itself twice, though it turns once: no grid of it is sound.
 const std::string bow_tie = R"(hexweave: 1
 units: m
-vertices: {a: [0, 0], b: [1, 0], c: [0.2, 1], d: [0.8, 1.4]}
+curves: {peak: {polyline: [[0, 0], [0.5, 1.5], [1, 0.3]]}}
+vertices: {a: [0, 0], b: [1, 0.3], c: [1, 1], d: [0, 1]}
 edges:
-  south: {from: a, to: b, cells: 8}
+  south: {from: a, to: b, along: peak, cells: 8}
   west: {from: a, to: d, cells: 6}
 faces:
   tie: {corners: [a, b, c, d]}
