@@ -221,3 +221,15 @@ TEST_CASE("the case on the README's first pages runs and is sound") {
     CHECK(plot.exit_code == 0);
     CHECK(scratch.read("hump.png").substr(1, 3) == "PNG");
 }
+
+TEST_CASE("the O-grid of the pages about walls is sound, its lines at right angles to the wall") {
+    const std::string page = slurp(HEXWEAVE_SOURCE_DIR "/docs/walls.md");
+    const std::size_t begin = page.find("```yaml\n") + 8;
+    const Scratch scratch;
+    scratch.write("ring.yaml", page.substr(begin, page.find("```", begin) - begin));
+    const Finished run = scratch.hexweave("run --strict --json ring.json ring.yaml");
+    INFO(run.err << run.out);
+    REQUIRE(run.exit_code == 0);
+    const Json report = Json::parse(scratch.read("ring.json"))["report"];
+    CHECK(report["walls"][0]["mean_angle"].get<double>() < 1);
+}
