@@ -28,10 +28,11 @@ std::string explanations(const Case& written, const Topology& topology,
     for (const std::string& name : names) {
         const std::vector<Explanation> all = explain(written, topology, name);
         if (all.empty()) {
-            const std::string meant = nearest_name(name, explained_names(topology));
-            throw UsageError(fmt::format(
-                "--explain {}: the grid has no such vertex, edge, face, block or boundary{}", name,
-                meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)));
+            const std::string meant = nearest_name(name, explained_names(written, topology));
+            throw UsageError(
+                fmt::format("--explain {}: the grid has no such vertex, edge, face, block, "
+                            "boundary or instance{}",
+                            name, meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)));
         }
         for (const Explanation& explanation : all) text += to_text(explanation);
     }
@@ -69,7 +70,7 @@ void add_check(CLI::App& app, ChosenCommand& chosen) {
     command
         ->add_option("--explain", options->explain,
                      "tell where the cells, spacing, direction and orientation of this vertex, "
-                     "edge, face, block or boundary come from; may be repeated")
+                     "edge, face, block, boundary or instance come from; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
     add_case_options(*command, *options);

@@ -242,6 +242,21 @@ struct LevelsEntry {
     Place place{};  ///< without a file where the file does not say
 };
 
+/// Where a component is used.
+struct InstanceEntry {
+    Name name;  ///< qualified
+    Name component;
+};
+
+/// A part of an instance that has become what its port is joined to.
+struct JoinedPart {
+    std::string kind;  ///< "vertex", "edge" or "face"
+    std::string name;
+    std::string outside;  ///< what it is now
+    bool reversed = false;
+    Place place;  ///< of the word that joins it
+};
+
 struct Case {
     std::shared_ptr<const SourceFile> source;
     std::string title;
@@ -263,6 +278,8 @@ struct Case {
     Name level;                               ///< to be made; empty: medium, if there are levels
     std::optional<Located<int>> multiple_of;  ///< that the cells of every edge are raised to
     std::vector<GridOutput> outputs;
+    std::vector<InstanceEntry> instances;
+    std::vector<JoinedPart> joined;
     std::string provenance;  ///< version, hash of the config, overrides
 };
 

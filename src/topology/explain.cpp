@@ -9,7 +9,10 @@
 #include <cstdlib>
 #include <set>
 
+#include "topology/explain_counts.h"
 #include "topology/explain_edge.h"
+#include "topology/explain_instances.h"
+#include "topology/face_frame.h"
 #include "topology/names.h"
 #include "topology/text.h"
 
@@ -108,7 +111,13 @@ void add_blocks_of_face(const Topology& topology, int face, std::vector<Explanat
     }
 }
 
-Explanation face_explanation(const Topology& topology, int index) {
+/// Of two opposite sides the one of fewer edges.
+const std::vector<EdgeUse>& shorter(const std::vector<EdgeUse>& low,
+                                    const std::vector<EdgeUse>& high) {
+    return high.size() < low.size() ? high : low;
+}
+
+Explanation face_explanation(const Case& written, const Topology& topology, int index) {
     const Face& face = face_of(topology, index);
     Explanation explanation{"face " + quoted(face.name), {}};
     auto& steps = explanation.steps;
@@ -124,12 +133,26 @@ Explanation face_explanation(const Topology& topology, int index) {
                                          quoted(edge.name), run_text(topology, use), edge.cells)});
         }
     }
+    const Chains chains = chains_of(written, topology);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        explain_cells_along(written, chains, axis == 0 ? "i" : "j",
+                            shorter(face.sides[2 - 2 * axis], face.sides[3 - 2 * axis]), face.place,
+                            steps);
+    }
     add_blocks_of_face(topology, index, steps);
     if (topology.is_3d()) add_boundaries(topology, index, face.place, steps);
     return explanation;
 }
 
-Explanation block_explanation(const Topology& topology, const Block& block) {
+/// The edges of a block along each axis, where they are fewest.
+std::array<std::vector<EdgeUse>, 3> edges_along(const Topology& topology, const Block& block) {
+    const FrameSides on_jmin = sides_in_frame(topology.faces, block.side(Side::jmin));
+    const FrameSides on_imin = sides_in_frame(topology.faces, block.side(Side::imin));
+    return {shorter(on_jmin[2], on_jmin[3]), shorter(on_imin[2], on_imin[3]),
+            shorter(on_imin[0], on_imin[1])};
+}
+
+Explanation block_explanation(const Case& written, const Topology& topology, const Block& block) {
     Explanation explanation{"block " + quoted(block.name), {}};
     auto& steps = explanation.steps;
     steps.push_back({block.place, fmt::format("{} x {} x {} cells", block.extent.ni - 1,
@@ -143,6 +166,12 @@ Explanation block_explanation(const Topology& topology, const Block& block) {
                 {face.place, fmt::format("{}: face {}, {}", side_name(side), quoted(face.name),
                                          axes_text(side, use.orientation))});
         }
+    }
+    const Chains chains = chains_of(written, topology);
+    const auto edges = edges_along(topology, block);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        explain_cells_along(written, chains, std::string(1, "ijk"[axis]), edges.at(axis),
+                            block.place, steps);
     }
     return explanation;
 }
@@ -182,23 +211,32 @@ std::vector<int> named(const std::vector<Entity>& entities, const std::string& n
     return found;
 }
 
-}  // namespace
+/// With the instances of components that it comes from.
+Explanation in_instances(Explanation explanation, const Place& place) {
+    const std::vector<ExplanationStep> instances = instances_of(place);
+    auto& steps = explanation.steps;
+    steps.insert(steps.begin() + (steps.empty() ? 0 : 1), instances.begin(), instances.end());
+    return explanation;
+}
 
-std::vector<Explanation> explain(const Case& written, const Topology& topology,
-                                 const std::string& name) {
+std::vector<Explanation> explain_entities(const Case& written, const Topology& topology,
+                                          const std::string& name) {
     std::vector<Explanation> all;
     const std::string canonical = canonical_name(name);
     for (const int v : named(topology.vertices, name)) {
-        all.push_back(vertex_explanation(topology, v));
+        all.push_back(in_instances(vertex_explanation(topology, v), vertex_of(topology, v).place));
     }
     for (const int e : named(topology.edges, canonical)) {
-        all.push_back(edge_explanation(written, topology, e));
+        all.push_back(
+            in_instances(edge_explanation(written, topology, e), edge_of(topology, e).place));
     }
     for (const int f : named(topology.faces, canonical)) {
-        all.push_back(face_explanation(topology, f));
+        all.push_back(
+            in_instances(face_explanation(written, topology, f), face_of(topology, f).place));
     }
     for (const int b : named(topology.blocks, name)) {
-        all.push_back(block_explanation(topology, topology.blocks[static_cast<std::size_t>(b)]));
+        const Block& block = topology.blocks[static_cast<std::size_t>(b)];
+        all.push_back(in_instances(block_explanation(written, topology, block), block.place));
     }
     for (const Boundary& boundary : topology.boundaries) {
         if (boundary.family.name == name) {
@@ -208,13 +246,32 @@ std::vector<Explanation> explain(const Case& written, const Topology& topology,
     return all;
 }
 
-std::vector<std::string> explained_names(const Topology& topology) {
+}  // namespace
+
+std::vector<Explanation> explain(const Case& written, const Topology& topology,
+                                 const std::string& name) {
+    std::vector<Explanation> all = explain_instances(written, name);
+    for (const JoinedPart& part : parts_of_ports(written, name)) {
+        all.push_back({text_of(part), {{part.place, "joined here"}}});
+        for (Explanation& now : explain_entities(written, topology, part.outside)) {
+            if (now.title == part.kind + " " + quoted(part.outside)) all.push_back(std::move(now));
+        }
+    }
+    for (Explanation& entity : explain_entities(written, topology, name)) {
+        all.push_back(std::move(entity));
+    }
+    return all;
+}
+
+std::vector<std::string> explained_names(const Case& written, const Topology& topology) {
     std::set<std::string> names;
     for (const Vertex& v : topology.vertices) names.insert(v.name);
     for (const Edge& e : topology.edges) names.insert(e.name);
     for (const Face& f : topology.faces) names.insert(f.name);
     for (const Block& b : topology.blocks) names.insert(b.name);
     for (const Boundary& b : topology.boundaries) names.insert(b.family.name);
+    for (const InstanceEntry& i : written.instances) names.insert(i.name.value);
+    for (const JoinedPart& part : written.joined) names.insert(part.name);
     return {names.begin(), names.end()};
 }
 

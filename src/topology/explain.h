@@ -24,13 +24,14 @@ struct Explanation {
     std::vector<ExplanationStep> steps;
 };
 
-/// Every vertex, edge, face, block, boundary of this name (different kinds may share one), made
-/// edges and faces in any spelling of their names. Empty where there is none in the grid.
+/// Every instance, part of a port, vertex, edge, face, block, boundary of this name (different
+/// kinds may share one), made edges and faces in any spelling of their names. Empty where there is
+/// none in the grid.
 std::vector<Explanation> explain(const Case& written, const Topology& topology,
                                  const std::string& name);
 
 /// What `explain` knows, each name once, sorted.
-std::vector<std::string> explained_names(const Topology& topology);
+std::vector<std::string> explained_names(const Case& written, const Topology& topology);
 
 /// As `check` prints it: the title, and a line for each step.
 std::string to_text(const Explanation& explanation);

@@ -232,6 +232,8 @@ void instantiate(Expansion& all, const YamlNode& instance) {
                            Note{instance.key_place, fmt::format("in {}, written here", what)}));
     set_scope(copy, scope);
     all.found.names.insert(full);
+    all.found.entries.push_back(
+        {{full, instance.key_place}, {component->key, component->key_place}});
     set_parameters(reading, instance, copy, what, scope, all.found.parameters);
     expand_entries(reading, copy);
     read_ports(all, copy, scope);

@@ -27,6 +27,7 @@ struct PortJoin {
 
 struct Instances {
     std::set<std::string> names;  ///< qualified
+    std::vector<InstanceEntry> entries;
     std::vector<InstanceParameter> parameters;
     Ports ports;
     std::vector<PortJoin> joins;

@@ -40,7 +40,14 @@ struct Joining {
     Positions positions;
     double tolerance = 0;
     JoinedNames joined{};
+    std::vector<JoinedPart> parts{};  ///< `outside` is known when all are joined
 };
+
+void join_vertex(Joining& joining, const Pair& pair, const std::string& inside,
+                 const std::string& outside) {
+    joining.joined.join_vertex(inside, outside);
+    joining.parts.push_back({"vertex", inside, {}, false, pair.join.place});
+}
 
 template <class Entry>
 Entry* find_entry(std::vector<Entry>& entries, const std::string& name) {
@@ -84,7 +91,7 @@ bool join_vertices(Joining& joining, const Pair& pair, const std::string& inside
     if (!a || !b) return false;  // told elsewhere
     const double off = distance(*a, *b);
     if (off <= joining.tolerance) {
-        joining.joined.join_vertex(inside, outside);
+        join_vertex(joining, pair, inside, outside);
         return true;
     }
     tell_apart(joining, pair, "vertex " + quoted(inside), off);
@@ -135,8 +142,8 @@ bool join_edges(Joining& joining, const Pair& pair, const std::string& inside_na
         return false;
     }
     const bool reversed = crossed < straight;
-    joining.joined.join_vertex(inside.from.value, reversed ? outside.to.value : outside.from.value);
-    joining.joined.join_vertex(inside.to.value, reversed ? outside.from.value : outside.to.value);
+    join_vertex(joining, pair, inside.from.value, reversed ? outside.to.value : outside.from.value);
+    join_vertex(joining, pair, inside.to.value, reversed ? outside.from.value : outside.to.value);
     // What either is joined to by now stays; the other goes.
     const JoinedEdge a = joining.joined.edge(inside_name);
     const JoinedEdge b = joining.joined.edge(outside_name);
@@ -144,6 +151,7 @@ bool join_edges(Joining& joining, const Pair& pair, const std::string& inside_na
     take_over(joining, *find_entry(joining.c.edges, a.name), *find_entry(joining.c.edges, b.name),
               turned);
     joining.joined.join_edge(a.name, {b.name, turned});
+    joining.parts.push_back({"edge", a.name, {}, false, pair.join.place});
     return true;
 }
 
@@ -199,7 +207,7 @@ bool join_vertices_of_faces(Joining& joining, const Pair& pair, const FaceEntry&
         }
         if (nearest.empty()) return false;  // told elsewhere
         if (least <= joining.tolerance) {
-            joining.joined.join_vertex(name, nearest);
+            join_vertex(joining, pair, name, nearest);
         } else {
             tell_apart(joining, pair, "vertex " + quoted(name), least);
             sound = false;
@@ -273,6 +281,7 @@ void join_pair(Joining& joining, const Pair& pair) {
         if (!join_vertices_of_faces(joining, pair, own, other)) return;
         join_edges_of_faces(joining, pair, own, other);
         joining.joined.join_face(pair.inside.value, pair.outside.value);
+        joining.parts.push_back({"face", pair.inside.value, {}, false, pair.join.place});
     }
 }
 
@@ -323,6 +332,7 @@ void join_ports(Case& c, const Instances& instances, Diagnostics& diagnostics) {
     Joining joining{c, instances, diagnostics, Positions(c)};
     joining.tolerance = coincidence * joining.positions.size();
     for (const PortJoin& join : instances.joins) join_port(joining, join);
+    c.joined = settled(joining.joined, joining.parts);
     rename_joined(c, joining.joined);
 }
 

@@ -141,6 +141,21 @@ std::string JoinedNames::face(const std::string& name) const {
     return last_of(faces_, name);
 }
 
+std::vector<JoinedPart> settled(const JoinedNames& joined, const std::vector<JoinedPart>& parts) {
+    std::vector<JoinedPart> known;
+    std::set<std::pair<std::string, std::string>> seen;
+    for (JoinedPart part : parts) {
+        const JoinedEdge edge = joined.edge(part.name);
+        part.outside = part.kind == "vertex" ? joined.vertex(part.name)
+                       : part.kind == "edge" ? edge.name
+                                             : joined.face(part.name);
+        part.reversed = part.kind == "edge" && edge.reversed;
+        if (part.outside == part.name || !seen.emplace(part.kind, part.name).second) continue;
+        known.push_back(std::move(part));
+    }
+    return known;
+}
+
 void rename_joined(Case& c, const JoinedNames& joined) {
     Forgotten forgotten;
     keep(c.vertices, forgotten, [&](const std::string& n) { return joined.vertex(n) == n; });

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "topology/case.h"
 
@@ -31,6 +32,9 @@ private:
     std::map<std::string, JoinedEdge> edges_;
     std::map<std::string, std::string> faces_;
 };
+
+/// Parts of ports with what has become of them in the end, each once, without those that stay.
+std::vector<JoinedPart> settled(const JoinedNames& joined, const std::vector<JoinedPart>& parts);
 
 /// Takes what was joined to something else out of a case, and names the other in its place. What
 /// it alone used does not count as unused.

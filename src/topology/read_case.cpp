@@ -128,6 +128,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"));
     expand_entries(reading, *root);
     const Instances instances = expand_instances(reading, *root);
+    c.instances = instances.entries;
     tell_unknown_overrides(reading, c.parameters, instances);
     const YamlNode* curves = section_of(reading, *root, "curves");
     read_shapes(reading, curves, section_of(reading, *root, "surfaces"), c);

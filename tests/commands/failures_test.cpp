@@ -256,8 +256,8 @@ TEST_CASE("check explains the names that it is asked about") {
         scratch.hexweave("check " + shipped("naca0012.yaml") + " --explain uper_ray");
     CHECK(unknown.exit_code == 2);
     CHECK(unknown.err ==
-          "hexweave: error: --explain uper_ray: the grid has no such vertex, edge, face, block or "
-          "boundary; did you mean 'upper_ray'?\n");
+          "hexweave: error: --explain uper_ray: the grid has no such vertex, edge, face, block, "
+          "boundary or instance; did you mean 'upper_ray'?\n");
 }
 
 TEST_CASE("plot says what it cannot draw") {
