@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -311,20 +312,19 @@ void report_unclosed(Draft& draft, const DraftBlock& block, const BlockSideEntri
 }
 
 void report_ambiguous(Draft& draft, const DraftBlock& block, const BlockSideEntries& named,
-                      const std::vector<BlockArrangement>& solutions) {
+                      const std::vector<BlockArrangement>& solutions,
+                      const std::vector<bool>& right_handed) {
     const Telling tell{draft, block, named};
     std::size_t decisive = 0;  // the side, and the face on it, that tell most solutions apart
     std::size_t decisive_face = 0;
-    std::vector<std::string> ways;
+    std::map<std::string, bool> ways;  // and whether one of them is right-handed
     for (std::size_t s = 0; s < 6; ++s) {
         for (std::size_t n = 0; n < named[s].faces.size(); ++n) {
-            std::vector<std::string> different;
-            for (const BlockArrangement& solution : solutions) {
-                std::string way = fmt::format("'{}: {}'", side_name(all_sides[s]),
-                                              with_axes(tell, solution[s], s, n));
-                if (std::find(different.begin(), different.end(), way) == different.end()) {
-                    different.push_back(std::move(way));
-                }
+            std::map<std::string, bool> different;
+            for (std::size_t way = 0; way < solutions.size(); ++way) {
+                different[fmt::format("'{}: {}'", side_name(all_sides[s]),
+                                      with_axes(tell, solutions[way][s], s, n))] |=
+                    right_handed[way];
             }
             if (different.size() <= ways.size()) continue;
             ways = std::move(different);
@@ -332,11 +332,17 @@ void report_ambiguous(Draft& draft, const DraftBlock& block, const BlockSideEntr
             decisive_face = n;
         }
     }
-    draft.diagnostics.error(
-        named[decisive].faces[decisive_face].face.place,
-        fmt::format("the orientation of the faces of block {} is ambiguous",
-                    quoted(block.block.name)),
-        fmt::format("say it by the axes of a face: {}", fmt::join(ways, " or ")));
+    std::string all;
+    for (const bool right : {true, false}) {
+        for (const auto& [text, is_right] : ways) {
+            if (is_right != right) continue;
+            all += (all.empty() ? "" : " or ") + text + (right ? "" : " (left-handed)");
+        }
+    }
+    draft.diagnostics.error(named[decisive].faces[decisive_face].face.place,
+                            fmt::format("the orientation of the faces of block {} is ambiguous",
+                                        quoted(block.block.name)),
+                            fmt::format("say it by the axes of a face: {}", all));
 }
 
 }  // namespace hexweave

@@ -22,8 +22,10 @@ bool report_misfits(Draft& draft, const DraftBlock& block, const BlockSideEntrie
 void report_unclosed(Draft& draft, const DraftBlock& block, const BlockSideEntries& named,
                      const FacesOfBlock& faces);
 
-/// Reports that several arrangements fit, with the 'axes' that decide.
+/// Reports that several arrangements fit, with the 'axes' that decide; which of them make the block
+/// right-handed is told.
 void report_ambiguous(Draft& draft, const DraftBlock& block, const BlockSideEntries& named,
-                      const std::vector<BlockArrangement>& solutions);
+                      const std::vector<BlockArrangement>& solutions,
+                      const std::vector<bool>& right_handed);
 
 }  // namespace hexweave

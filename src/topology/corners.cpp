@@ -42,7 +42,9 @@ std::optional<std::array<int, count>> corner_vertices(Draft& draft,
         if (found && std::find(vertices.begin(), earlier, *index) != earlier) {
             draft.diagnostics.error(
                 names[n].place,
-                fmt::format("{} names the corner {} twice", owner.text(), quoted(names[n].value)));
+                fmt::format("{} names the corner {} twice", owner.text(), quoted(names[n].value)),
+                fmt::format("to collapse an edge to a vertex draw a pole, '{{at: {}}}', and {}",
+                            names[n].value, owner.remedy));
             found = false;
         }
         vertices[n] = *index;
@@ -110,13 +112,37 @@ void enter_drawn_edges(Draft& draft) {
     }
 }
 
+/// How a face given by corners would be written with its sides: which edges there are for each.
+std::string as_sides(Draft& draft, const std::array<int, 4>& corners) {
+    constexpr std::array<std::array<std::size_t, 2>, 4> ends{{{0, 3}, {1, 2}, {0, 1}, {3, 2}}};
+    std::string text;
+    for (std::size_t side = 0; side < 4; ++side) {
+        const int a = corners[ends[side][0]];
+        const int b = corners[ends[side][1]];
+        std::vector<std::string> names;
+        const auto between = draft.edges_between.find(ascending(a, b));
+        if (between != draft.edges_between.end()) {
+            for (const int edge : between->second.edges) names.push_back(draft.edge_name(edge));
+        }
+        std::sort(names.begin(), names.end());
+        if (names.empty()) {
+            names.push_back(fmt::format("an edge drawn from {} to {}", draft.vertex_name(a),
+                                        draft.vertex_name(b)));
+        }
+        text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", side_name(all_sides[side]),
+                            fmt::join(names, " or "));
+    }
+    return text;
+}
+
 void join_corner_face(Draft& draft, DraftFace& face, const std::array<Name, 4>& names) {
-    const Owner owner{"face", face.entry->name, "give the face by its four sides"};
+    Owner owner{"face", face.entry->name, "give the face by its four sides"};
     const auto corners = corner_vertices(draft, names, owner);
     if (!corners) {
         draft.uses_lost = true;
         return;
     }
+    owner.remedy += ": " + as_sides(draft, *corners);
     bool edges_found = true;
     for (std::size_t n = 0; n < 4; ++n) {
         if (!ensure_edge(draft, (*corners)[n], (*corners)[(n + 1) % 4], owner)) edges_found = false;

@@ -8,6 +8,7 @@
 #include "topology/block_faults.h"
 #include "topology/block_orientation.h"
 #include "topology/draft.h"
+#include "topology/handedness.h"
 
 namespace hexweave {
 
@@ -104,6 +105,28 @@ void enter(Draft& draft, Block& block, const BlockArrangement& arrangement) {
     }
 }
 
+/// The vertices, edges and faces drawn so far.
+Topology drawn_part(const Draft& draft) {
+    Topology topology;
+    for (const DraftVertex& v : draft.vertices) topology.vertices.push_back(v.vertex);
+    for (const DraftEdge& e : draft.edges) topology.edges.push_back(e.edge);
+    for (const DraftFace& f : draft.faces) topology.faces.push_back(f.face);
+    return topology;
+}
+
+/// Which of several arrangements make a right-handed block.
+std::vector<bool> right_handed(Draft& draft, const DraftBlock& block,
+                               const std::vector<BlockArrangement>& arrangements) {
+    const Topology topology = drawn_part(draft);
+    std::vector<bool> right;
+    for (const BlockArrangement& arrangement : arrangements) {
+        Block arranged = block.block;
+        enter(draft, arranged, arrangement);
+        right.push_back(signed_volume(topology, arranged) > 0);
+    }
+    return right;
+}
+
 void join_block(Draft& draft, DraftBlock& block, const BlockSideEntries& named) {
     if (!find_faces(draft, block, named)) return;
     if (!cuts_are_sound(draft, block, named)) return;
@@ -115,7 +138,7 @@ void join_block(Draft& draft, DraftBlock& block, const BlockSideEntries& named) 
         return;
     }
     if (solutions.size() > 1) {
-        report_ambiguous(draft, block, named, solutions);
+        report_ambiguous(draft, block, named, solutions, right_handed(draft, block, solutions));
         return;
     }
     enter(draft, block.block, solutions.front());

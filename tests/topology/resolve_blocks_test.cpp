@@ -227,7 +227,7 @@ boundaries:
   all: {type: BCWall, sides: [tube, shell, ring, ring1]}
 )";
     CHECK(faults(text) == R"(24: error: the orientation of the faces of block 'o' is ambiguous
-  hint: say it by the axes of a face: 'jmin: {face: tube, axes: [i, j]}' or 'jmin: {face: tube, axes: [-i, j]}'
+  hint: say it by the axes of a face: 'jmin: {face: tube, axes: [-i, j]}' or 'jmin: {face: tube, axes: [i, j]}' (left-handed)
 )");
 }
 

@@ -165,6 +165,7 @@ faces:
   f: {corners: [a, b, b, d]}
 )";
     CHECK(faults(text) == R"(12: error: face 'f' names the corner 'b' twice
+  hint: to collapse an edge to a vertex draw a pole, '{at: b}', and give the face by its four sides
 )");
 }
 
@@ -353,7 +354,7 @@ faces:
     CHECK(
         faults(text) ==
         R"(10: error: the corners 'a' and 'b' of face 'f' have several edges between them: 'ab' and 'ab2'
-  hint: give the face by its four sides
+  hint: give the face by its four sides: imin: ad, imax: an edge drawn from b to c, jmin: ab or ab2, jmax: an edge drawn from d to c
 )");
 }
 
