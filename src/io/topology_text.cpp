@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "core/parallel.h"
 #include "io/level_text.h"
 #include "topology/limits.h"
@@ -25,6 +28,43 @@ std::string boundary_line(const Topology& topology, const Boundary& boundary) {
         text += " " + (topology.is_3d() ? topology.faces[s].name : topology.edges[s].name);
     }
     return text + "\n";
+}
+
+/// The sides of zones that every edge (in 3D: face) is on: "jmin of upper".
+std::vector<std::vector<std::string>> sides_of_zones(const Topology& topology) {
+    std::vector<std::vector<std::string>> sides(topology.is_3d() ? topology.faces.size()
+                                                                 : topology.edges.size());
+    const auto enter = [&](int entity, Side side, const std::string& zone) {
+        sides[static_cast<std::size_t>(entity)].push_back(
+            fmt::format("{} of {}", side_name(side), zone));
+    };
+    for (const Block& block : topology.blocks) {
+        for (const Side side : all_sides) {
+            for (const FaceUse& use : block.side(side).faces) enter(use.face, side, block.name);
+        }
+    }
+    if (topology.is_3d()) return sides;
+    for (const Face& face : topology.faces) {
+        for (const Side side : {Side::imin, Side::imax, Side::jmin, Side::jmax}) {
+            for (const EdgeUse& use : face.side(side)) enter(use.edge, side, face.name);
+        }
+    }
+    return sides;
+}
+
+/// What is on two sides of zones, or twice on those of one, joins them.
+std::string interface_lines(const Topology& topology) {
+    std::string text;
+    const auto sides = sides_of_zones(topology);
+    for (std::size_t n = 0; n < sides.size(); ++n) {
+        if (sides[n].size() != 2) continue;
+        const std::string& name =
+            topology.is_3d() ? topology.faces[n].name : topology.edges[n].name;
+        text += sides[n][0] == sides[n][1]
+                    ? fmt::format("  {:<24} {}, with itself\n", name, sides[n][0])
+                    : fmt::format("  {:<24} {}, {}\n", name, sides[n][0], sides[n][1]);
+    }
+    return text.empty() ? text : "interfaces:\n" + text;
 }
 
 std::string periodic_line(const Topology& topology, const PeriodicInterface& interface) {
@@ -98,6 +138,7 @@ std::string to_text(const Topology& topology, const Topology& solved) {
     } else {
         for (const Face& f : topology.faces) text += zone_line(f.name, topology.zone_extent(f));
     }
+    text += interface_lines(topology);
     text += "boundaries:\n";
     for (const Boundary& b : topology.boundaries) text += boundary_line(topology, b);
     if (!topology.periodic.empty()) text += "periodic:\n";

@@ -17,8 +17,9 @@ std::string map_text(const Periodicity& periodicity);
 /// How the grid is swept and mirrored, a line each; empty where it is not.
 std::string copies_text(const Topology& topology);
 
-/// Counts, a line per zone with its cells, a line per boundary, and the memory that a run needs,
-/// which holds `solved`: the topology itself, or that of the finest level of a nested family.
+/// Counts, a line per zone with its cells, per interface and per boundary, and the memory that a
+/// run needs, which holds `solved`: the topology itself, or that of the finest level of a nested
+/// family.
 std::string to_text(const Topology& topology, const Topology& solved);
 
 }  // namespace hexweave

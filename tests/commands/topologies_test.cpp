@@ -9,6 +9,7 @@
 
 #include "core/multiblock.h"
 #include "io/cgns.h"
+#include "tests/commands/images.h"
 #include "tests/commands/program.h"
 
 using namespace hexweave;
@@ -44,7 +45,60 @@ std::string type_of(const MultiblockGrid& grid, const std::string& patch) {
     return "no such patch";
 }
 
+/// How many nodes of an interface are not the same on its two sides, by the ranges in the file.
+int nodes_apart(const MultiblockGrid& grid, const Interface& interface) {
+    return not_images(grid, interface, {});
+}
+
+/// Lines along j on the two sides of a cut: the angle between their first cells, in degrees, the
+/// greatest over the nodes of the cut but its ends.
+double greatest_kink(const PointField& x, const Interface& cut) {
+    double least = 1;
+    for (int i = cut.box.begin[0] + 1; i < cut.box.end[0]; ++i) {
+        const Node there = donor_node(cut, {i, 0, 0});
+        const Vec3 up = x(i, 1, 0) - x(i, 0, 0);
+        const Vec3 down = x(there[0], 0, 0) - x(there[0], 1, 0);
+        least = std::min(least, dot(up, down) / (norm(up) * norm(down)));
+    }
+    return std::acos(least) * 180 / std::acos(-1.0);
+}
+
 }  // namespace
+
+TEST_CASE("a C-grid in one face meets itself along its wake, at right angles") {
+    const Scratch scratch;
+    const MultiblockGrid grid = sound_grid(scratch, "c_grid", 0);
+    REQUIRE(grid.zones.size() == 1);
+    REQUIRE(grid.interfaces.size() == 1);
+    const Interface& wake = grid.interfaces[0];
+    CHECK(wake.zone == wake.donor);
+    CHECK(wake.box.end[0] - wake.box.begin[0] == 16);
+    CHECK(wake.orientation.axes == std::array<int, 3>{-1, -2, 3});
+    CHECK(nodes_apart(grid, wake) == 0);
+    CHECK(greatest_kink(grid.zones[0].points, wake) < 3);
+    const Finished check =
+        scratch.hexweave("check " HEXWEAVE_SOURCE_DIR "/tests/cases/good/c_grid.yaml");
+    CHECK_THAT(check.out, Catch::Matchers::Contains(
+                              "interfaces:\n  wake                     jmin of c, with itself\n"));
+}
+
+TEST_CASE("an O-grid in one block meets itself along its seam") {
+    const Scratch scratch;
+    const MultiblockGrid grid = sound_grid(scratch, "o_block", 0);
+    REQUIRE(grid.zones.size() == 1);
+    REQUIRE(grid.interfaces.size() == 1);
+    const Interface& seam = grid.interfaces[0];
+    CHECK(seam.zone == seam.donor);
+    CHECK(seam.orientation.axes == std::array<int, 3>{1, 2, 3});
+    CHECK((seam.box.begin[0] == 0 && seam.donor_box.begin[0] == 24));
+    CHECK(nodes_apart(grid, seam) == 0);
+    const Json report = Json::parse(scratch.read("report.json"));
+    CHECK(report["report"]["interfaces"][0]["growth"]["ratio"].get<double>() < 1.05);
+    const Finished check =
+        scratch.hexweave("check " HEXWEAVE_SOURCE_DIR "/tests/cases/good/o_block.yaml");
+    CHECK_THAT(check.out,
+               Catch::Matchers::Contains("seam                     imin of ring, imax of ring\n"));
+}
 
 TEST_CASE("a block round a wing meets itself along its wake") {
     const Scratch scratch;
