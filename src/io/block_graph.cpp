@@ -59,7 +59,7 @@ std::vector<PagePoint> node_places(const Topology& topology, const TopologyLayou
         centres.push_back(block_centre(block, layout));
         midst = {midst.x + centres.back().x, midst.y + centres.back().y};
     }
-    const double count = static_cast<double>(centres.size());
+    const auto count = static_cast<double>(centres.size());
     midst = {midst.x / count, midst.y / count};
     const auto away = [&](std::size_t b) {
         return std::hypot(centres[b].x - midst.x, centres[b].y - midst.y);

@@ -14,7 +14,8 @@ Polyline link_line(const PagePoint& a, const PagePoint& b, int earlier) {
     const bool loop = a == b;
     if (!loop && earlier == 0) return {a, b};
     const PagePoint d{b.x - a.x, b.y - a.y};
-    const double bend = 0.16 * ((earlier + 1) / 2) * (earlier % 2 == 0 ? 1 : -1);
+    const int rank = (earlier + 1) / 2;  // bent lines come in pairs, to either side
+    const double bend = 0.16 * rank * (earlier % 2 == 0 ? 1 : -1);
     const double size = 34 + 12 * earlier;
     Polyline line;
     for (int n = 0; n <= pieces; ++n) {
@@ -33,8 +34,10 @@ std::vector<Polyline> dashes(const Polyline& line) {
     constexpr double gap = 4;
     constexpr int corners = 4;  // of a dash of a bent line
     const double length = line_length(line);
+    const int count = static_cast<int>(std::ceil(length / (dash + gap)));
     std::vector<Polyline> pieces;
-    for (double from = 0; from < length; from += dash + gap) {
+    for (int d = 0; d < count; ++d) {
+        const double from = d * (dash + gap);
         Polyline& piece = pieces.emplace_back();
         for (int n = 0; n <= corners; ++n) {
             const double at = std::min(length, from + dash * n / corners);
