@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "topology/format_table.h"
 #include "topology/grid_sides.h"
+#include "topology/suggestions.h"
 
 namespace hexweave {
 
@@ -143,7 +145,8 @@ private:
             diagnostics_
                 .error(name.place,
                        fmt::format("{} {} is named twice: boundary {} has it already", sides_.kind,
-                                   quoted(name.value), quoted(claim.boundary->value)))
+                                   quoted(name.value), quoted(claim.boundary->value)),
+                       "leave it in one of the two")
                 .notes.push_back({claim.place, "here"});
             return std::nullopt;
         }
@@ -197,14 +200,25 @@ void check_sides_given(const Case& c, Diagnostics& diagnostics) {
     for (const BoundaryEntry& boundary : c.boundaries) {
         if (!boundary.lacks_sides) continue;
         if (!is_end(boundary)) {
-            diagnostics.error(boundary.name.place, fmt::format("boundary {} lacks the key 'sides'",
-                                                               quoted(boundary.name.value)));
+            diagnostics.error(
+                boundary.name.place,
+                fmt::format("boundary {} lacks the key 'sides'", quoted(boundary.name.value)),
+                usage_of(*find_key("boundary", "sides")));
         } else if (boundary.plane) {
             diagnostics.error(boundary.plane->place,
                               "where the end of a sweep lies is not to be said",
                               "leave 'plane' out: its points are exactly there");
         }
     }
+}
+
+/// Whether what every boundary names could be read.
+bool all_sides_read(const Case& c) {
+    return std::all_of(c.boundaries.begin(), c.boundaries.end(), [](const BoundaryEntry& entry) {
+        return (entry.lacks_sides || !entry.sides.empty()) &&
+               std::none_of(entry.sides.begin(), entry.sides.end(),
+                            [](const Name& side) { return side.value.empty(); });
+    });
 }
 
 /// Whether every side of the periodic interfaces found its image, or its origin.
@@ -230,7 +244,8 @@ void resolve_boundaries(Network& network, const Case& c, Diagnostics& diagnostic
     for (const BoundaryEntry& entry : c.boundaries) assignment.add(entry);
     assignment.collect_poles();
     // After a fault, what seems uncovered may be what a boundary failed to name.
-    if (network.intact && diagnostics.errors() == errors && all_paired(network.topology, c)) {
+    if (network.intact && all_sides_read(c) && diagnostics.errors() == errors &&
+        all_paired(network.topology, c)) {
         assignment.collect_unassigned(Place{c.source, 0, 0});
     }
 }

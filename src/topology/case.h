@@ -257,6 +257,13 @@ struct JoinedPart {
     Place place;  ///< of the word that joins it
 };
 
+/// An entry that is written but not in the case, for its condition does not hold.
+struct LeftOutEntry {
+    std::string section;  ///< the key: "edges"
+    std::string name;     ///< in full
+    Place when;
+};
+
 struct Case {
     std::shared_ptr<const SourceFile> source;
     std::string title;
@@ -280,7 +287,9 @@ struct Case {
     std::vector<GridOutput> outputs;
     std::vector<InstanceEntry> instances;
     std::vector<JoinedPart> joined;
-    std::string provenance;  ///< version, hash of the config, overrides
+    std::vector<LeftOutEntry> left_out;      ///< for messages about names that are not there
+    std::vector<std::string> lost_sections;  ///< keys of those that could not be read
+    std::string provenance;                  ///< version, hash of the config, overrides
 };
 
 }  // namespace hexweave

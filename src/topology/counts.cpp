@@ -285,11 +285,12 @@ void report_unknown(Counting& counting, const std::vector<SumEquation>& equation
         std::vector<std::string> names;
         for (const int edge : edges) names.push_back(counting.network.edge(edge).name);
         const bool one = names.size() == 1;
-        const std::string hint = one ? "give it 'cells'"
-                                 : groups_of[c].size() == 1
-                                     ? "they are parallel: give 'cells' to one of them"
-                                     : "sides of several edges join them: give 'cells' to more of "
-                                       "them, until the others follow";
+        const std::string hint =
+            one ? "give it 'cells', as in 'cells: 40'"
+            : groups_of[c].size() == 1
+                ? "they are parallel: give one of them 'cells', as in 'cells: 40'"
+                : "sides of several edges join them: give 'cells' to more of "
+                  "them, until the others follow";
         counting.diagnostics.error(
             counting.network.edge(edges.front()).place,
             fmt::format("nothing says how many cells {} {} {}", one ? "edge" : "edges",
@@ -303,8 +304,10 @@ void store(Counting& counting, Topology& topology) {
     constexpr std::int64_t most = std::numeric_limits<int>::max() - 1;
     const auto stored = [&](std::int64_t cells, const Place& place, const std::string& what) {
         if (cells <= most) return static_cast<int>(cells);
-        counting.diagnostics.error(place, fmt::format("{} has {}: more than a CGNS zone can hold",
-                                                      what, cells_text(cells)));
+        counting.diagnostics.error(
+            place,
+            fmt::format("{} has {}: more than a CGNS zone can hold", what, cells_text(cells)),
+            "give its edges fewer cells");
         return 0;
     };
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {

@@ -117,6 +117,9 @@ std::shared_ptr<const Curve> put_onto_surfaces(Draft& draft, const Curve& curve,
                                                const EdgeEntry& entry);
 /// Notes how far a curve was from an edge's surfaces, of the piece that the edge is.
 void note_put_edge(Draft& draft, const DraftEdge& edge, const Curve& curve);
+/// Notes in the tables what is known of names besides the entities: for messages about unknown
+/// ones.
+void note_other_names(Draft& draft);
 /// Names of the curves and surfaces; names and positions of the vertices.
 void place_vertices(Draft& draft);
 /// The pieces of curves (straight lines) that the drawn edges are.

@@ -77,7 +77,8 @@ std::optional<CurvePiece> pick_piece(Draft& draft, const EdgeEntry& entry, const
             entry.through->place,
             fmt::format("'through' does not lie between {} and {} on the curve {}",
                         quoted(entry.from.value), quoted(entry.to.value),
-                        quoted(entry.along->value)));
+                        quoted(entry.along->value)),
+            "give a point of the curve between the two");
         return std::nullopt;
     }
     if (pieces.size() == 1) return pieces.front();
@@ -113,7 +114,10 @@ bool place_on_curve(Draft& draft, DraftEdge& edge, const CurveEntry& along) {
                                quoted(entry.along->value))
                  : fmt::format("edge {} has no length: {} and {} are the same place on {}",
                                quoted(entry.name.value), quoted(entry.from.value),
-                               quoted(entry.to.value), quoted(entry.along->value)));
+                               quoted(entry.to.value), quoted(entry.along->value)),
+            loop
+                ? "name two vertices, or a closed curve"
+                : "name two different vertices; an edge that is one point is a pole, {at: VERTEX}");
         return false;
     }
     if (loop && entry.through) {
@@ -131,7 +135,8 @@ bool place_on_curve(Draft& draft, DraftEdge& edge, const CurveEntry& along) {
     edge.edge.length = arc_length(curve, piece->from, piece->to);
     if (edge.edge.length > no_length * size_of(curve)) return true;
     draft.diagnostics.error(entry.name.place,
-                            fmt::format("edge {} has no length", quoted(entry.name.value)));
+                            fmt::format("edge {} has no length", quoted(entry.name.value)),
+                            "name two vertices farther apart");
     return false;
 }
 
@@ -187,7 +192,8 @@ bool place_straight(Draft& draft, DraftEdge& edge) {
         entry.name.place,
         fmt::format("edge {} has no length: {} and {} are the same place", quoted(entry.name.value),
                     quoted(entry.from.value), quoted(entry.to.value)),
-        "name one vertex in both places, or move one");
+        "name one vertex in both places, or move one; an edge that is one point is a pole, {at: "
+        "VERTEX}");
     return false;
 }
 

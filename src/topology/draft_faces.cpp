@@ -91,6 +91,49 @@ void report_broken_chain(Draft& draft, const DraftFace& face, Side side,
     error.notes.push_back(runs(draft, after.edge));
 }
 
+/// The vertices at which the two sides of a corner end.
+std::array<int, 2> corner_vertices(const FaceLoop& loop, const FaceCorner& corner) {
+    const SideChain& along_j = loop[static_cast<std::size_t>(corner.along_j)];
+    const SideChain& along_i = loop[static_cast<std::size_t>(corner.along_i)];
+    return {corner.at_end_of_j_side ? along_j.end : along_j.start,
+            corner.at_end_of_i_side ? along_i.end : along_i.start};
+}
+
+/// The first open corner that is open for two vertices in one place; null where there is none.
+const FaceCorner* doubled_corner(Draft& draft, const FaceLoop& loop) {
+    constexpr double same_place = 1e-9;
+    double length = 0;
+    for (const SideChain& side : loop) {
+        for (const EdgeUse& use : side.uses) {
+            length = std::max(length, draft.edge(use.edge).edge.length);
+        }
+    }
+    for (const std::size_t n : open_corners(loop)) {
+        const auto [a, b] = corner_vertices(loop, face_corners()[n]);
+        if (!draft.vertex(a).sound || !draft.vertex(b).sound) continue;
+        const double apart =
+            distance(draft.vertex(a).vertex.position, draft.vertex(b).vertex.position);
+        if (apart <= same_place * length) return &face_corners()[n];
+    }
+    return nullptr;
+}
+
+/// Reports two vertices in one place where a face needs one.
+void report_doubled_vertex(Draft& draft, const DraftFace& face, const FaceLoop& loop,
+                           const FaceCorner& corner, const Place& place) {
+    const auto [a, b] = corner_vertices(loop, corner);
+    const std::string& first = draft.vertex_name(a);
+    const std::string& second = draft.vertex_name(b);
+    Diagnostic& error = draft.diagnostics.error(
+        place,
+        fmt::format("face {} is open: {} and {} lie in the same place, but are two vertices",
+                    quoted(face.face.name), quoted(first), quoted(second)),
+        fmt::format("write {} for {} everywhere, and leave {} out", quoted(first), quoted(second),
+                    quoted(second)));
+    error.notes.push_back({draft.vertex(a).vertex.place, "one"});
+    error.notes.push_back({draft.vertex(b).vertex.place, "the other"});
+}
+
 /// Reports the first corner in which the sides do not meet; the others are notes.
 void report_open_loop(Draft& draft, const DraftFace& face, const FaceLoop& loop,
                       const NamedSides& named) {
@@ -110,6 +153,10 @@ void report_open_loop(Draft& draft, const DraftFace& face, const FaceLoop& loop,
     const FaceCorner& first = face_corners()[open.front()];
     const auto i_side = static_cast<std::size_t>(first.along_i);
     const SignedName& at = first.at_end_of_i_side ? named[i_side].back() : named[i_side].front();
+    if (const FaceCorner* doubled = doubled_corner(draft, loop)) {
+        report_doubled_vertex(draft, face, loop, *doubled, at.place);
+        return;
+    }
     Diagnostic& error = draft.diagnostics.error(
         at.place,
         fmt::format("face {} is open: {}", quoted(face.face.name), describe(open.front())),
@@ -178,7 +225,8 @@ bool cuts_are_sound(Draft& draft, const DraftFace& face, const NamedSides& named
             draft.diagnostics.error(
                 places[2].second->place,
                 fmt::format("face {} uses edge {} more than twice", quoted(face.face.name),
-                            quoted(draft.edge_name(edge))));
+                            quoted(draft.edge_name(edge))),
+                "an edge is once on a side, or twice as a cut");
             sound = false;
         } else if (places.size() == 2 && places[0].first / 2 != places[1].first / 2) {
             draft.diagnostics.error(

@@ -206,7 +206,8 @@ bool place_across_surfaces(Draft& draft, DraftEdge& edge) {
     if (edge.edge.curve) edge.edge.length = arc_length(*edge.edge.curve, 0, 1);
     if (edge.edge.length > 1e-12 * distance(Vec3{}, from - to) && edge.edge.length > 0) return true;
     draft.diagnostics.error(entry.name.place,
-                            fmt::format("edge {} has no length", quoted(entry.name.value)));
+                            fmt::format("edge {} has no length", quoted(entry.name.value)),
+                            "name two vertices farther apart");
     return false;
 }
 

@@ -27,10 +27,11 @@ void count_as_used(Reading& reading, const YamlNode& node) {
     for (const YamlNode& child : node.children) count_as_used(reading, child);
 }
 
-bool is_wanted(Reading& reading, const YamlNode& entry) {
+bool is_wanted(Reading& reading, const YamlNode& entry, const std::string& section) {
     const YamlNode* when = entry.is_mapping() ? entry.find("when") : nullptr;
     if (when == nullptr || read_number(reading, *when, "'when'").value_or(0) != 0) return true;
     count_as_used(reading, entry);
+    reading.left_out.push_back({section, qualified(entry.key, entry.scope), when->place});
     return false;
 }
 
@@ -172,7 +173,7 @@ bool read_indices(Reading& reading, const YamlNode& repeat, std::vector<Index>& 
 }
 
 void add_repeated(Reading& reading, const YamlNode& entry, const YamlNode& repeat,
-                  std::vector<YamlNode>& entries) {
+                  const std::string& section, std::vector<YamlNode>& entries) {
     std::vector<Index> indices;
     if (!read_indices(reading, repeat, indices)) return;
     for (const Index& index : indices) {
@@ -191,7 +192,7 @@ void add_repeated(Reading& reading, const YamlNode& entry, const YamlNode& repea
     for (const Index& index : indices) values.push_back(index.first);
     do {
         YamlNode copy = repeated(reading, entry, indices, values);
-        if (is_wanted(reading, copy)) entries.push_back(std::move(copy));
+        if (is_wanted(reading, copy, section)) entries.push_back(std::move(copy));
     } while (step(indices, values));
 }
 
@@ -234,8 +235,8 @@ void expand_entries(Reading& reading, YamlNode& root) {
             const YamlNode* repeat = entry.is_mapping() ? entry.find("repeat") : nullptr;
             any_repeated = any_repeated || repeat != nullptr;
             if (repeat != nullptr) {
-                add_repeated(reading, entry, *repeat, entries);
-            } else if (is_wanted(reading, entry)) {
+                add_repeated(reading, entry, *repeat, section.key, entries);
+            } else if (is_wanted(reading, entry, section.key)) {
                 entries.push_back(std::move(entry));
             }
         }

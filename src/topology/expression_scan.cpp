@@ -57,6 +57,7 @@ private:
         const char c = text_[at_];
         if (is_letter(c)) return name();
         if (is_digit(c) || c == '.') return number();
+        if (c == '(' && after_value_) return operator_missing("(", 1);
         if (c == '(') {
             calls_.push_back(after_function_);
             comparisons_.push_back(false);

@@ -72,7 +72,9 @@ std::optional<int> find_kind(const Network& network, const GridSides& sides, con
                           of_faces
                               ? fmt::format("with blocks, {} are made of faces", owner.many)
                               : fmt::format("without blocks, {} are made of edges", owner.many));
-    } else if (!name.value.empty()) {
+    } else if (!name.value.empty() &&
+               (network.intact || name.value.find('-') == std::string::npos)) {
+        // Where something is at fault, an edge or a face that it would make is not.
         (of_faces ? network.face_names : network.edge_names).report_unknown(name, diagnostics);
     }
     return std::nullopt;
@@ -101,9 +103,9 @@ std::optional<int> find_side(const Network& network, const GridSides& sides, con
     if (*side >= 0 && !sides.users[static_cast<std::size_t>(*side)].empty()) return side;
     // The face (block) that has it may be the one that is at fault.
     if (!network.intact) return std::nullopt;
-    diagnostics.error(name.place,
-                      fmt::format("{} {} is no side of the grid", sides.kind, quoted(name.value)),
-                      fmt::format("no {} has it", sides.user));
+    diagnostics.error(
+        name.place, fmt::format("{} {} is no side of the grid", sides.kind, quoted(name.value)),
+        fmt::format("no {0} has it; make it a side of a {0}, or take it out here", sides.user));
     return std::nullopt;
 }
 

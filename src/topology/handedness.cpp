@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "geometry/surface_patch.h"
 #include "geometry/surface_set.h"
+#include "topology/corner_order.h"
 #include "topology/face_frame.h"
 #include "topology/outline.h"
 #include "topology/sample.h"
@@ -150,11 +150,19 @@ std::string corner_list(const std::array<Name, count>& corners,
     return text;
 }
 
+template <std::size_t count>
+std::array<Vec3, count> positions(const Topology& topology,
+                                  const std::array<int, count>& vertices) {
+    std::array<Vec3, count> points;
+    for (std::size_t n = 0; n < count; ++n) points.at(n) = position(topology, vertices.at(n));
+    return points;
+}
+
 /// What to write so that a face whose lines i and j turn clockwise turns the other way.
 std::string face_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
     if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
-        return fmt::format("list its corners the other way round: [{}]",
-                           corner_list(*corners, {0, 3, 2, 1}));
+        return fmt::format("list its corners counter-clockwise: [{}]",
+                           corner_list(*corners, order_round(positions(topology, face.corners))));
     }
     if (face.side(Side::imin) == face.side(Side::imax)) {
         // To swap the two sides of a cut would change nothing.
@@ -173,25 +181,8 @@ std::string face_remedy(const Topology& topology, const Face& face, const FaceEn
 /// What to write so that the sides of a face do not cross; what to look at where that is not found.
 std::string crossing_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
     if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
-        // Of the four corners in an order that goes round them.
-        std::array<std::size_t, 4> order{0, 1, 2, 3};
-        const auto twice_area = [&] {
-            double sum = 0;
-            for (std::size_t n = 0; n < 4; ++n) {
-                sum += cross(position(topology, face.corners[order[n]]),
-                             position(topology, face.corners[order[(n + 1) % 4]]))
-                           .z;
-            }
-            return sum;
-        };
-        std::array<std::size_t, 4> best = order;
-        double largest = twice_area();
-        while (std::next_permutation(order.begin() + 1, order.end())) {
-            if (twice_area() <= largest) continue;
-            largest = twice_area();
-            best = order;
-        }
-        return fmt::format("list its corners going round it: [{}]", corner_list(*corners, best));
+        return fmt::format("list its corners going round it: [{}]",
+                           corner_list(*corners, order_round(positions(topology, face.corners))));
     }
     if (const auto way = reroute(face.sides, edges_of(topology))) {
         return fmt::format("run the other way round there: {}: {}",
@@ -204,8 +195,9 @@ std::string crossing_remedy(const Topology& topology, const Face& face, const Fa
 
 std::string block_remedy(const Topology& topology, const Block& block, const BlockEntry& entry) {
     if (const auto* corners = std::get_if<std::array<Name, 8>>(&entry.shape)) {
-        return fmt::format("list its last four corners first: [{}]",
-                           corner_list(*corners, {4, 5, 6, 7, 0, 1, 2, 3}));
+        return fmt::format(
+            "four corners round one side, then those above them in the same order: [{}]",
+            corner_list(*corners, order_of_hexahedron(positions(topology, block.corners))));
     }
     const auto name = [&](Side side) {
         std::vector<std::string> names;
@@ -222,7 +214,8 @@ std::string block_remedy(const Topology& topology, const Block& block, const Blo
                        side_name(high), name(high));
 }
 
-void check_face(const Network& network, std::size_t index, Diagnostics& diagnostics) {
+/// Tells a face that is not right-handed; false where it encloses nothing.
+bool check_face(const Network& network, std::size_t index, Diagnostics& diagnostics) {
     const Topology& topology = network.topology;
     const Face& face = topology.faces[index];
     const FaceEntry* const entry =
@@ -234,28 +227,30 @@ void check_face(const Network& network, std::size_t index, Diagnostics& diagnost
                                       "senses: no grid can lie between them",
                                       quoted(face.name)),
                           crossing_remedy(topology, face, *entry));
-        return;
+        return false;
     }
     double size = 0;
     for (const auto& side : face.sides) {
         for (const EdgeUse& use : side) size += network.edge(use.edge).length;
     }
     const double area = signed_area(topology, face);
-    if (area > nothing * size * size) return;
+    if (area > nothing * size * size) return true;
     if (area >= -nothing * size * size) {
         diagnostics.error(face.place, fmt::format("face {} encloses no area", quoted(face.name)),
-                          "its sides lie on top of each other");
-        return;
+                          "its sides lie on top of each other: name others");
+        return false;
     }
     diagnostics.error(face.place,
                       fmt::format("face {} is left-handed: seen from +z, i to j turns clockwise",
                                   quoted(face.name)),
                       face_remedy(topology, face, *entry));
+    return true;
 }
 
-void check_block(const Network& network, std::size_t index, Diagnostics& diagnostics) {
+bool check_block(const Network& network, std::size_t index, Diagnostics& diagnostics) {
     const Topology& topology = network.topology;
     const Block& block = topology.blocks[index];
+    const BlockEntry& entry = *network.block_entries[index];
     Points corners;
     for (const int corner : block.corners) corners.push_back(position(topology, corner));
     for (const BlockSide& faces : block.sides) {
@@ -268,15 +263,18 @@ void check_block(const Network& network, std::size_t index, Diagnostics& diagnos
     }
     const double size = box_around(corners).diagonal();
     const double volume = signed_volume(topology, block);
-    if (volume > nothing * size * size * size) return;
+    if (volume > nothing * size * size * size) return true;
     if (volume >= -nothing * size * size * size) {
         diagnostics.error(block.place,
                           fmt::format("block {} encloses no volume", quoted(block.name)),
-                          "its sides lie on top of each other");
-        return;
+                          std::holds_alternative<std::array<Name, 8>>(entry.shape)
+                              ? block_remedy(topology, block, entry)
+                              : "its sides lie on top of each other: name others");
+        return false;
     }
     diagnostics.error(block.place, fmt::format("block {} is left-handed", quoted(block.name)),
-                      block_remedy(topology, block, *network.block_entries[index]));
+                      block_remedy(topology, block, entry));
+    return true;
 }
 
 }  // namespace
@@ -308,14 +306,18 @@ double signed_volume(const Topology& topology, const Block& block) {
     return six / 6;
 }
 
-void check_handedness(const Network& network, Diagnostics& diagnostics) {
+bool check_handedness(const Network& network, Diagnostics& diagnostics) {
     const Topology& topology = network.topology;
+    bool enclosing = true;
     if (!network.three_dimensional && topology.planar) {
         for (std::size_t f = 0; f < topology.faces.size(); ++f) {
-            check_face(network, f, diagnostics);
+            enclosing = check_face(network, f, diagnostics) && enclosing;
         }
     }
-    for (std::size_t b = 0; b < topology.blocks.size(); ++b) check_block(network, b, diagnostics);
+    for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+        enclosing = check_block(network, b, diagnostics) && enclosing;
+    }
+    return enclosing;
 }
 
 }  // namespace hexweave

@@ -18,7 +18,8 @@ double signed_area(const Topology& topology, const Face& face);
 /// too.
 double signed_volume(const Topology& topology, const Block& block);
 
-/// Reports left-handed faces of a planar grid, and left-handed blocks.
-void check_handedness(const Network& network, Diagnostics& diagnostics);
+/// Reports left-handed faces of a planar grid, left-handed blocks, and those that enclose nothing:
+/// false where there are such.
+bool check_handedness(const Network& network, Diagnostics& diagnostics);
 
 }  // namespace hexweave

@@ -247,6 +247,13 @@ void join_pair(Joining& joining, const Pair& pair) {
     for (const auto& [name, kinds] :
          {std::pair(pair.inside, inside), std::pair(pair.outside, outside)}) {
         if (!kinds.empty()) continue;
+        const auto& left_out = joining.c.left_out;
+        const auto entry = std::find_if(left_out.begin(), left_out.end(),
+                                        [&](const auto& e) { return e.name == name.value; });
+        if (entry != left_out.end()) {
+            tell_left_out("what is joined,", name, entry->when, joining.diagnostics);
+            return;
+        }
         joining.diagnostics.error(
             name.place, fmt::format("unknown vertex, edge or face {}", quoted(name.value)),
             known_hint(joining.c, name.value));

@@ -63,6 +63,11 @@ std::string NameTable::hint_for(const std::string& unknown) const {
         return fmt::format("the {} between these vertices is drawn as {}", kind_,
                            listed(drawn->second));
     }
+    const auto other = others_.find(unknown);
+    if (other != others_.end()) {
+        return fmt::format("{} is {}; the name of {} {} is wanted here", quoted(unknown),
+                           other->second, kind_ == "edge" ? "an" : "a", kind_);
+    }
     std::vector<std::string> known;
     known.reserve(index_.size());
     for (const auto& entry : index_) known.push_back(entry.first);
@@ -80,6 +85,12 @@ std::string NameTable::hint_for(const std::string& unknown) const {
 }
 
 void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics) const {
+    if (incomplete_) return;
+    const auto left_out = left_out_.find(name.value);
+    if (left_out != left_out_.end()) {
+        tell_left_out(kind_, name, left_out->second, diagnostics);
+        return;
+    }
     diagnostics.error(name.place, fmt::format("unknown {} {}", kind_, quoted(name.value)),
                       hint_for(name.value));
 }
@@ -106,6 +117,15 @@ std::optional<NamedEdge> find_edge(const NameTable& edges, const std::string& na
 std::optional<int> find_face(const NameTable& faces, const std::string& name) {
     if (const auto index = faces.find(name)) return index;
     return faces.find(canonical_name(name));
+}
+
+void tell_left_out(const std::string& kind, const Name& name, const Place& when,
+                   Diagnostics& diagnostics) {
+    Diagnostic& error = diagnostics.error(
+        name.place,
+        fmt::format("{} {} is not there: its condition does not hold", kind, quoted(name.value)),
+        "give what uses it the same 'when', or parameters with which this one holds");
+    error.notes.push_back({when, "this is 0"});
 }
 
 std::string quoted(const std::string& name) {

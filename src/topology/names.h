@@ -31,6 +31,12 @@ public:
     std::optional<int> require(const Name& name, Diagnostics& diagnostics) const;
     /// Reports a name that is not there.
     void report_unknown(const Name& name, Diagnostics& diagnostics) const;
+    /// Notes a name that is no such entity but something else, "a vertex", for hints.
+    void note_other(const std::string& name, const std::string& what) { others_[name] = what; }
+    /// Notes the condition of an entry that is left out.
+    void note_left_out(const LeftOutEntry& entry) { left_out_[entry.name] = entry.when; }
+    /// Some of the names are not known: none is told as unknown.
+    void set_incomplete() { incomplete_ = true; }
     /// Notes that what the canonical name `made` would stand for was drawn, under a name of its
     /// own: for the hint when somebody asks for `made`.
     void note_drawn(const std::string& made, const std::string& drawn);
@@ -43,6 +49,9 @@ private:
     std::string kind_;
     std::map<std::string, int> index_;
     std::map<std::string, std::vector<std::string>> drawn_;
+    std::map<std::string, std::string> others_;
+    std::map<std::string, Place> left_out_;
+    bool incomplete_ = false;
 };
 
 /// An edge as it was named; `reversed` when spelled against its own direction ("b-a" for "a-b").
@@ -55,6 +64,10 @@ struct NamedEdge {
 std::optional<NamedEdge> find_edge(const NameTable& edges, const std::string& name);
 /// Finds a face by its name or, for one that was made, by its corners in any cyclic order.
 std::optional<int> find_face(const NameTable& faces, const std::string& name);
+
+/// Tells the use of a name whose entry is left out for its condition. `kind` in the singular.
+void tell_left_out(const std::string& kind, const Name& name, const Place& when,
+                   Diagnostics& diagnostics);
 
 /// 'name'
 std::string quoted(const std::string& name);

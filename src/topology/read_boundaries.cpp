@@ -17,6 +17,15 @@ std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// Whether what should be a boundary condition says that the sides are joined with others.
+bool is_about_joining(const YamlNode& type) {
+    std::string lower = type.text;
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower.find("periodic") != std::string::npos ||
+           lower.find("interface") != std::string::npos ||
+           lower.find("cyclic") != std::string::npos;
+}
+
 std::vector<Name> read_sides(Reading& reading, const YamlNode& node) {
     if (!node.is_sequence()) return {read_name(reading, node, "'sides'")};
     std::vector<Name> sides;
@@ -34,8 +43,16 @@ BoundaryEntry read_boundary(Reading& reading, const YamlNode& node) {
     if (!expect_mapping(reading, node, what, "boundary")) return boundary;
     if (const YamlNode* type = require(reading, node, "type", what)) {
         boundary.type.place = type->place;
-        if (read_choice(reading, *type, "'type'", words_of("boundary", "type")))
+        if (is_about_joining(*type)) {
+            reading.diagnostics.error(
+                type->place,
+                fmt::format("sides that are joined are no boundary, not of type '{}'",
+                            shown(type->text)),
+                "sides that are images of each other stand under 'periodic: {NAME: {from: ..., to: "
+                "..., translate: ...}}'; faces (blocks) that share a side are joined anyway");
+        } else if (read_choice(reading, *type, "'type'", words_of("boundary", "type"))) {
             boundary.type.value = type->text;
+        }
     }
     const YamlNode* sides = find(reading, node, "sides");
     if (sides != nullptr) boundary.sides = read_sides(reading, *sides);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -51,9 +52,31 @@ const YamlNode* section_of(Reading& reading, const YamlNode& root, std::string_v
     if (section == nullptr || section->is_null() || section->is_mapping()) {
         return section != nullptr && section->is_mapping() ? section : nullptr;
     }
-    reading.diagnostics.error(section->place, fmt::format("'{}' must be a mapping of names, not {}",
-                                                          key, describe(*section)));
+    reading.diagnostics.error(
+        section->place,
+        fmt::format("'{}' must be a mapping of names, not {}", key, describe(*section)),
+        usage_of(reading, *section));
+    reading.lost_sections.emplace_back(key);
     return nullptr;
+}
+
+/// Entries in a list, each behind a '- ', are told once and read all the same.
+void join_listed_entries(Reading& reading, YamlNode& root) {
+    for (YamlNode& section : root.children) {
+        if (!section.is_sequence() || !holds_entries(section.key)) continue;
+        std::vector<YamlNode> entries;
+        for (YamlNode& item : section.children) {
+            if (!item.is_mapping()) break;
+            std::move(item.children.begin(), item.children.end(), std::back_inserter(entries));
+        }
+        if (entries.size() < section.children.size() || entries.empty()) continue;
+        reading.diagnostics.error(
+            section.place, fmt::format("'{}' must be a mapping of names, not a list", section.key),
+            fmt::format("write its entries without '- ', each as '{}: ...'",
+                        shown(entries.front().key)));
+        section.kind = YamlNode::Kind::mapping;
+        section.children = std::move(entries);
+    }
 }
 
 void read_title_and_units(Reading& reading, const YamlNode& root, Case& c) {
@@ -123,6 +146,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     c.provenance = provenance_of(reading, overrides);
     reserve_sections(*root);
     expect_mapping(reading, *root, "a case", "case");
+    join_listed_entries(reading, *root);
     read_title_and_units(reading, *root, c);
     reading.units = c.units;
     c.parameters = read_parameters(reading, section_of(reading, *root, "parameters"));
@@ -139,6 +163,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     read_into(c.boundaries, reading, *root, "boundaries", read_boundaries);
     read_into(c.periodic, reading, *root, "periodic", read_periodic);
     place_instances(reading, *root, c);
+    c.left_out = std::move(reading.left_out);
     join_ports(c, instances, diagnostics);
     merge_families(c, diagnostics);
     read_sweep_and_mirror(reading, *root, c);
@@ -151,6 +176,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
         warn_unused_parameters(reading, c.parameters, instances.parameters);
     }
     append_parameters(c.parameters, instances.parameters);
+    c.lost_sections = std::move(reading.lost_sections);
     return c;
 }
 

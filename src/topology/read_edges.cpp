@@ -127,11 +127,13 @@ EdgeEntry read_edge(Reading& reading, const YamlNode& node) {
         read_pole(reading, node, what, edge);
         return edge;
     }
-    if (!expect_mapping(reading, node, what, "edge",
-                        {{"at", "an edge is a pole 'at' a vertex, or goes 'from' one 'to' another",
-                          "leave out 'at', or 'from' and 'to'"},
-                         {"heights", "'heights' are held by faces and blocks, not by edges",
-                          "give a spacing with 'start', 'end' or 'positions'"}})) {
+    if (!expect_mapping(
+            reading, node, what, "edge",
+            {{"at", "an edge is a pole 'at' a vertex, or goes 'from' one 'to' another",
+              "leave out 'at', or 'from' and 'to'"},
+             {"points", "an edge has 'cells', one less than its points", "write cells: NUMBER"},
+             {"heights", "'heights' are held by faces and blocks, not by edges",
+              "give a spacing with 'start', 'end' or 'positions'"}})) {
         return edge;
     }
     tell_lacking(reading, node, required_keys("edge"), what);

@@ -47,6 +47,17 @@ std::string usage_of_lacking(const Reading& reading, const YamlNode& mapping, co
     return usage_of(keys);
 }
 
+/// What stands where a mapping is wanted: the keys that it must have, and all.
+std::string hint_for_mapping(const FormatNames& formats) {
+    std::vector<std::string_view> examples;
+    for (const std::string_view key : required_keys(formats.names.front())) {
+        examples.push_back(find_key(formats, key)->example);
+    }
+    const std::string keys = fmt::format("its keys are {}", fmt::join(keys_of(formats), ", "));
+    if (examples.empty()) return keys;
+    return fmt::format("write {{{}, ...}}; {}", fmt::join(examples, ", "), keys);
+}
+
 }  // namespace
 
 bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& what,
@@ -55,7 +66,7 @@ bool expect_mapping(Reading& reading, const YamlNode& node, const std::string& w
     if (!node.is_mapping()) {
         reading.diagnostics.error(node.place,
                                   fmt::format("{} must be a mapping, not {}", what, describe(node)),
-                                  fmt::format("its keys are {}", fmt::join(keys, ", ")));
+                                  hint_for_mapping(formats));
         return false;
     }
     note_seen(reading, node, formats);

@@ -145,7 +145,8 @@ std::optional<Vec3> read_point(Reading& reading, const YamlNode& node, const std
             node.place,
             fmt::format("{} must be two or three numbers, not {}", what,
                         node.is_sequence() ? fmt::format("{}", size) : describe(node)),
-            "write [x, y] or [x, y, z]");
+            size > 3 ? "write [x, y] or [x, y, z]; the decimal separator is the point"
+                     : "write [x, y] or [x, y, z]");
         return std::nullopt;
     }
     static constexpr std::array<std::string_view, 3> axis{"x", "y", "z"};

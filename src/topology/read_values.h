@@ -51,6 +51,8 @@ struct Reading {
     std::map<std::string, std::shared_ptr<const CadFile>> cad_files{};
     std::vector<std::shared_ptr<const SourceFile>> included{};  ///< files, in order
     std::vector<std::shared_ptr<InstanceScope>> scopes{};       ///< each behind that it stands in
+    std::vector<LeftOutEntry> left_out{};
+    std::vector<std::string> lost_sections{};     ///< keys of those that could not be read
     int repeated = 0;                             ///< entries that repetition has made
     std::map<std::string, YamlNode> replaced{};   ///< parameters that an include gives a value
     std::map<std::string, YamlNode> overrides{};  ///< that the command line gives one

@@ -26,6 +26,7 @@ namespace {
 /// Names, places, directions and orientations.
 Network connect(const Case& c, Diagnostics& diagnostics) {
     Draft draft(c, diagnostics);
+    note_other_names(draft);
     place_vertices(draft);
     place_edges(draft);
     place_corners(draft);
@@ -53,7 +54,9 @@ Topology resolve_scaled(const Case& c, const std::optional<GridFamily>& family,
     }
     Network network = connect(c, diagnostics);
     measure_extent(network.topology, network.three_dimensional);
-    if (check_surface_faces(network, diagnostics)) check_handedness(network, diagnostics);
+    if (check_surface_faces(network, diagnostics)) {
+        network.intact = check_handedness(network, diagnostics) && network.intact;
+    }
     pair_periodic_sides(network, c, diagnostics);
     make_images(network, diagnostics);
     const ParallelEdges parallels = parallel_edges(network.topology);

@@ -9,6 +9,7 @@
 
 #include "geometry/transform.h"
 #include "topology/instance_scope.h"
+#include "topology/names.h"
 #include "topology/read_curves.h"
 #include "topology/read_surfaces.h"
 
@@ -67,11 +68,17 @@ std::shared_ptr<const Shape> seen_from(const ShapeOfFile<Shape>& entry, const Sc
 template <class Shape>
 void tell_unknown(Shapes& shapes, const std::vector<ShapeOfFile<Shape>>& entries,
                   const YamlNode& node, const std::string& name, const std::string& kind) {
+    for (const LeftOutEntry& entry : shapes.reading.left_out) {
+        if (entry.section != kind + "s" || entry.name != name) continue;
+        tell_left_out(kind, {name, node.place}, entry.when, shapes.reading.diagnostics);
+        return;
+    }
     Keys known;
     for (const ShapeOfFile<Shape>& entry : entries) known.emplace_back(entry.node->key);
-    shapes.reading.diagnostics.error(
-        node.place, fmt::format("unknown {} '{}'", kind, name),
-        known.empty() ? "" : suggestion(name, known, fmt::format("{}s are", kind)));
+    shapes.reading.diagnostics.error(node.place, fmt::format("unknown {} '{}'", kind, name),
+                                     known.empty()
+                                         ? fmt::format("draw it under '{}s'", kind)
+                                         : suggestion(name, known, fmt::format("{}s are", kind)));
 }
 
 template <class Shape>

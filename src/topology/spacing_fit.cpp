@@ -176,6 +176,16 @@ std::string misfit(const SameAs& /*law*/, int /*cells*/, double /*length*/) {
 
 }  // namespace
 
+std::string spacing_hint(const SpacingLaw& law, int cells, double length) {
+    if (std::holds_alternative<ExplicitLaw>(law)) {
+        return "fractions ascend from 0 to 1; a formula in t fits any number of cells";
+    }
+    return fmt::format(
+        "of {} equal cells each would be {:g}; first and last cells are lengths, in "
+        "the units of the case",
+        cells, length / cells);
+}
+
 std::string spacing_misfit(const SpacingLaw& law, int cells, double length) {
     return std::visit([&](const auto& chosen) { return misfit(chosen, cells, length); }, law);
 }

@@ -13,4 +13,7 @@ namespace hexweave {
 /// The spacing of another edge always fits. Precondition: cells >= 1, length > 0.
 std::string spacing_misfit(const SpacingLaw& law, int cells, double length);
 
+/// What would fit instead.
+std::string spacing_hint(const SpacingLaw& law, int cells, double length);
+
 }  // namespace hexweave

@@ -276,8 +276,10 @@ void check_fit(const Edge& edge, const EdgeEntry* entry, Diagnostics& diagnostic
     if (std::holds_alternative<SameAs>(edge.law)) return;
     const std::string misfit = spacing_misfit(edge.law, edge.cells / edge.refinement, edge.length);
     if (misfit.empty()) return;
-    diagnostics.error(entry->spacing->place, fmt::format("the spacing of edge {} does not fit: {}",
-                                                         quoted(edge.name), misfit));
+    diagnostics.error(
+        entry->spacing->place,
+        fmt::format("the spacing of edge {} does not fit: {}", quoted(edge.name), misfit),
+        spacing_hint(edge.law, edge.cells / edge.refinement, edge.length));
 }
 
 }  // namespace

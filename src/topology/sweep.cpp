@@ -130,7 +130,8 @@ void count_layers(Network& network, const SweepEntry& entry, const std::string& 
         spacing_misfit(sweep.law, sweep.cells / sweep.refinement, sweep.length);
     if (!misfit.empty()) {
         diagnostics.error(entry.spacing->place,
-                          fmt::format("the spacing of '{}' does not fit: {}", what, misfit));
+                          fmt::format("the spacing of '{}' does not fit: {}", what, misfit),
+                          spacing_hint(sweep.law, sweep.cells / sweep.refinement, sweep.length));
     }
 }
 

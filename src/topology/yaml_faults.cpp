@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "topology/yaml_layout.h"
+
 namespace hexweave {
 
 namespace {
@@ -21,18 +23,39 @@ struct Rewording {
 };
 
 constexpr std::array<Rewording, 8> rewordings{{
-    {"illegal map value", "a ':' where no key can stand",
-     "check the indentation, and quote a text that holds ': '"},
-    {"illegal flow end", "this bracket closes nothing", ""},
+    {"illegal map value", "a ':' where no key can stand", "quote a text that holds ': '"},
+    {"illegal flow end", "this bracket closes nothing", "remove it, or open one before it"},
     {"illegal block entry", "a list item cannot begin here", "write a list as [a, b]"},
     {"end of map not found", "this does not fit what stands before it",
      "check the indentation and the quotes"},
     {"end of sequence not found", "this does not fit what stands before it",
      "check the indentation and the quotes"},
     {"illegal EOF in scalar", "the file ends inside of a quoted text", "close the quote"},
-    {"end of map flow not found", "a ',' or '}' is missing before this", ""},
-    {"end of sequence flow not found", "a ',' or ']' is missing before this", ""},
+    {"end of map flow not found", "a ',' or '}' is missing before this",
+     "close the bracket, or put a comma between entries"},
+    {"end of sequence flow not found", "a ',' or ']' is missing before this",
+     "close the bracket, or put a comma between items"},
 }};
+
+/// Faults of block YAML, which its layout explains.
+bool is_of_layout(std::string_view fault) {
+    return fault == "illegal map value" || fault == "end of map not found" ||
+           fault == "end of sequence not found" || fault == "illegal block entry";
+}
+
+/// The hint for a bracket that is not closed where `offset` is: what of the text is not read as it
+/// was meant. Empty where nothing such shows.
+std::string hint_in_brackets(const SourcePlaces& places, std::size_t offset, const Place& open) {
+    const std::string_view text = places.text();
+    if (offset < text.size() && text[offset] == '?') {
+        return "quote an expression that holds '?' or ': '";
+    }
+    std::size_t begin = 0;
+    for (int line = 1; line < open.line; ++line) begin = text.find('\n', begin) + 1;
+    const std::string_view inside = text.substr(begin, offset - std::min(begin, offset));
+    if (inside.find(" #") == std::string_view::npos) return {};
+    return "' #' begins a comment, which is not read: close the bracket before it";
+}
 
 /// Faults that a user of expressions meets: `*x`, `&x`, `@x` or `%x` without quotes.
 bool tell_unquoted(std::string_view fault, std::size_t offset, const SourcePlaces& places,
@@ -63,12 +86,20 @@ void tell_syntax_error(const YAML::Exception& fault, const SourcePlaces& places,
         fault.mark.pos < 0 ? size : std::min(static_cast<std::size_t>(fault.mark.pos), size);
     if (tell_unquoted(fault.msg, offset, places, diagnostics)) return;
 
+    if (is_of_layout(fault.msg) && !inside) {
+        if (const auto layout = layout_fault(places, offset)) {
+            diagnostics.error(layout->place, layout->message, layout->hint).notes = layout->notes;
+            return;
+        }
+    }
     const auto* known = std::find_if(rewordings.begin(), rewordings.end(),
                                      [&](const Rewording& r) { return r.yaml_cpp == fault.msg; });
     const bool found = known != rewordings.end();
+    std::string hint = inside ? hint_in_brackets(places, offset, inside->place) : "";
+    if (hint.empty() && found) hint = known->hint;
     Diagnostic& d = diagnostics.error(
         places.at(offset), "not valid YAML: " + (found ? std::string(known->message) : fault.msg),
-        found ? std::string(known->hint) : std::string());
+        hint);
     if (inside) d.notes.push_back(*inside);
 }
 

@@ -15,6 +15,7 @@
 #include "topology/source_text.h"
 #include "topology/text_limit.h"
 #include "topology/yaml_faults.h"
+#include "topology/yaml_slips.h"
 
 namespace hexweave {
 
@@ -205,7 +206,9 @@ private:
         }
         OpenNode& parent = open_.back();
         if (parent.node.is_sequence()) {
-            parent.node.children.push_back(std::move(node));
+            std::vector<YamlNode>& items = parent.node.children;
+            if (!items.empty() && mend_slip_in_list(items.back(), node, diagnostics_)) return;
+            items.push_back(std::move(node));
         } else if (!parent.has_key) {
             set_key(parent, node);
         } else {
@@ -225,17 +228,19 @@ private:
 
     void add_value(OpenNode& parent, YamlNode node) {
         parent.has_key = false;
-        const auto [first, is_new] = parent.keys.emplace(parent.key, parent.key_place);
+        node.key = std::move(parent.key);
+        node.key_place = parent.key_place;
+        std::vector<YamlNode>& children = parent.node.children;
+        if (mend_slip(children.empty() ? nullptr : &children.back(), node, diagnostics_)) return;
+        const auto [first, is_new] = parent.keys.emplace(node.key, node.key_place);
         if (!is_new) {
             Diagnostic& d = diagnostics_.error(
-                parent.key_place, fmt::format("the key '{}' is given twice", shown(parent.key)),
+                node.key_place, fmt::format("the key '{}' is given twice", shown(node.key)),
                 "leave one out, or give it another name");
             d.notes.push_back({first->second, "first given here"});
             return;
         }
-        node.key = std::move(parent.key);
-        node.key_place = parent.key_place;
-        parent.node.children.push_back(std::move(node));
+        children.push_back(std::move(node));
     }
 
     void refuse_tag(const Place& where, const std::string& tag) {

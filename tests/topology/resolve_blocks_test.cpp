@@ -64,7 +64,7 @@ boundaries:
   all: {type: BCWall, sides: [a-b-c-d, h-g-f-e, a-b-f-e, b-c-g-f, c-d-h-g, a-d-h-e]}
 )";
     CHECK(faults(text) == R"(16: error: block 'cube' is left-handed
-  hint: list its last four corners first: [a, b, c, d, e, f, g, h]
+  hint: four corners round one side, then those above them in the same order: [a, b, c, d, e, f, g, h]
 )");
 }
 

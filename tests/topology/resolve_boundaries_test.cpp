@@ -83,6 +83,7 @@ boundaries:
 )";
     CHECK(faults(text) == R"(13: error: edge 'left' is named twice: boundary 'wall' has it already
   12: here
+  hint: leave it in one of the two
 )");
 }
 
@@ -174,7 +175,7 @@ boundaries:
 )";
     CHECK(faults(text) == R"(8: warning: edge 'lone' is not a side of any face
 13: error: edge 'lone' is no side of the grid
-  hint: no face has it
+  hint: no face has it; make it a side of a face, or take it out here
 )");
 }
 

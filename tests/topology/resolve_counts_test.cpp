@@ -88,7 +88,7 @@ boundaries:
 )";
     CHECK(faults(text) ==
           R"(4: error: nothing says how many cells edges 'left', 'mid', 'down' and 'right' have
-  hint: they are parallel: give 'cells' to one of them
+  hint: they are parallel: give one of them 'cells', as in 'cells: 40'
 )");
 }
 
@@ -231,6 +231,8 @@ TEST_CASE("A count that no zone can hold is refused") {
         ", bc, dc, da]}\n";
     CHECK(faults(text) ==
           R"(220: error: edge 'dc' has 2150000000 cells: more than a CGNS zone can hold
+  hint: give its edges fewer cells
 223: error: face 'f' has 2150000000 cells: more than a CGNS zone can hold
+  hint: give its edges fewer cells
 )");
 }

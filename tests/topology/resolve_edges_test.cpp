@@ -49,19 +49,21 @@ TEST_CASE("A loop takes no 'through'") {
 TEST_CASE("On an open curve 'through' must lie between") {
     CHECK(fault_of_edge("{from: o, to: mid, along: line, through: [0.75, 0]}") ==
           R"(7: error: 'through' does not lie between 'o' and 'mid' on the curve 'line'
+  hint: give a point of the curve between the two
 )");
 }
 
 TEST_CASE("An open curve has no loop") {
     CHECK(fault_of_edge("{from: o, to: o, along: line}") ==
           R"(7: error: edge 'x' goes from 'o' to itself, but 'line' is not a closed curve
+  hint: name two vertices, or a closed curve
 )");
 }
 
 TEST_CASE("A straight edge joins two places") {
     CHECK(fault_of_edge("{from: o, to: o2}") ==
           R"(7: error: edge 'x' has no length: 'o' and 'o2' are the same place
-  hint: name one vertex in both places, or move one
+  hint: name one vertex in both places, or move one; an edge that is one point is a pole, {at: VERTEX}
 )");
 }
 
@@ -82,6 +84,7 @@ TEST_CASE("A straight edge takes no 'through'") {
 TEST_CASE("An edge has a length on its curve too") {
     CHECK(fault_of_edge("{from: o, to: o2, along: line}") ==
           R"(7: error: edge 'x' has no length: 'o' and 'o2' are the same place on 'line'
+  hint: name two different vertices; an edge that is one point is a pole, {at: VERTEX}
 )");
 }
 

@@ -146,7 +146,7 @@ faces:
 6: warning: edge 'dc' is not a side of any face
 7: warning: edge 'ad' is not a side of any face
 12: error: face 'f' is left-handed: seen from +z, i to j turns clockwise
-  hint: list its corners the other way round: [b, e, f, c]
+  hint: list its corners counter-clockwise: [b, e, f, c]
 )");
 }
 
@@ -335,6 +335,7 @@ faces:
   f: {imin: +x, imax: [+x, +x], jmin: +z, jmax: +z}
 )";
     CHECK(faults(text) == R"(9: error: face 'f' uses edge 'x' more than twice
+  hint: an edge is once on a side, or twice as a cut
 )");
 }
 
@@ -370,7 +371,7 @@ boundaries:
   all: {type: BCWall, sides: [ab, ad, b-c, c-d]}
 )";
     CHECK(faults(text) == R"(7: error: face 'f' encloses no area
-  hint: its sides lie on top of each other
+  hint: its sides lie on top of each other: name others
 )");
 }
 
@@ -395,7 +396,7 @@ faces:
 5: error: edge 'bc' is used 3 times, by faces 'f', 'g' and 'h'
   hint: at most two faces share one edge
 14: error: face 'h' is left-handed: seen from +z, i to j turns clockwise
-  hint: list its corners the other way round: [b, c, d, a]
+  hint: list its corners counter-clockwise: [b, c, d, a]
 )");
 }
 

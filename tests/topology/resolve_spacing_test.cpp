@@ -187,6 +187,7 @@ boundaries:
     CHECK(
         faults(text) ==
         R"(6: error: the spacing of edge 'bc' does not fit: the first cell, 2, is longer than the edge, 1
+  hint: of 3 equal cells each would be 0.333333; first and last cells are lengths, in the units of the case
 )");
 }
 
