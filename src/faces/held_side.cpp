@@ -112,11 +112,22 @@ void take_back_folds(PointField& points, const WallFrame& wall, std::vector<Mova
         for (MovableLine& line : lines) {
             if (line.part == 0 || at_fold.count({line.a, line.b}) == 0) continue;
             line.part = round < halvings ? 0.5 * line.part : 0;
+            line.stop = Stop::folds;
             move_line(points, wall, line);
             changed = true;
         }
         if (!changed) return;
     }
+}
+
+StoppedLines count_stopped(const std::vector<MovableLine>& lines) {
+    StoppedLines stopped;
+    for (const MovableLine& line : lines) {
+        stopped.growth += line.stop == Stop::growth;
+        stopped.fade += line.stop == Stop::fade;
+        stopped.folds += line.stop == Stop::folds;
+    }
+    return stopped;
 }
 
 std::set<Node> cells_of(const std::vector<FoldedCell>& folded) {
@@ -174,7 +185,7 @@ HeldSide every_nth(const PointField& points, const HeldSide& held, int stride) {
             return at_first > 0 ? *held.height * height / at_first : 0.0;
         });
     }
-    return {held.side, held.fade, every_nth(asked, stride)};
+    return {held.side, held.fade, every_nth(asked, stride), {}, 1, held.stopped};
 }
 
 std::vector<HeldSide> every_nth(const PointField& points, const std::vector<HeldSide>& held,
@@ -205,10 +216,11 @@ HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request)
     });
     spread_outwards(points, wall, lines);
     parallel_for(lines.size(), [&](std::size_t n) {
-        lines[n].part = part_allowed(lines[n], request.growth);
+        limit_growth(lines[n], request.growth);
         move_line(points, wall, lines[n]);
     });
     take_back_folds(points, wall, lines, before);
+    held.stopped = count_stopped(lines);
     return held;
 }
 
@@ -222,12 +234,18 @@ std::vector<HeldSide> hold_heights(PointField& points, const HeightRequests& req
 }
 
 std::vector<double> height_ratios(const PointField& points, const HeldSide& held) {
+    return height_ratios(points, held, [](int, int) { return true; });
+}
+
+std::vector<double> height_ratios(const PointField& points, const HeldSide& held,
+                                  const std::function<bool(int, int)>& counts) {
     const WallFrame wall(points.extent(), held.side);
     std::vector<double> ratios;
     ratios.reserve(wall.nodes().nodes());
     for (int b = 0; b < wall.count_b; ++b) {
         for (int a = 0; a < wall.count_a; ++a) {
-            ratios.push_back(height_at(points, wall, a, b, held.first) / held.asked(a, b));
+            if (counts(a, b))
+                ratios.push_back(height_at(points, wall, a, b, held.first) / held.asked(a, b));
         }
     }
     std::sort(ratios.begin(), ratios.end());

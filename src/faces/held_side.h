@@ -3,6 +3,8 @@
 // the grid lines that leave it, until the first cells are as high as asked.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/field.h"
@@ -10,6 +12,13 @@
 #include "topology/case.h"
 
 namespace hexweave {
+
+/// Lines that leave a side and stop short of the height asked, by what stops them.
+struct StoppedLines {
+    int growth = 0;  ///< cells on them would grow faster than they may
+    int fade = 0;    ///< their first cell reaches beyond the fade distance
+    int folds = 0;   ///< cells beside them would fold
+};
 
 /// What was asked of one side: a height for every node of it, over the side's own two axes (a face
 /// has one: the second extent is 1).
@@ -19,6 +28,7 @@ struct HeldSide {
     Field asked;
     std::optional<double> height{};  ///< asked everywhere; that of the edges where absent
     int first = 1;                   ///< the node off the side whose height is meant
+    StoppedLines stopped{};
 };
 
 /// The heights asked of node `first` off a side: everywhere the given one; or else, from those on
@@ -45,7 +55,10 @@ HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request)
 /// All sides asked for, in order.
 std::vector<HeldSide> hold_heights(PointField& points, const HeightRequests& requests);
 
-/// The first cell's height over the asked one at every node of the side, in ascending order.
+/// The first cell's height over the asked one at every node (a, b) of the side that counts, in
+/// ascending order.
+std::vector<double> height_ratios(const PointField& points, const HeldSide& held,
+                                  const std::function<bool(int, int)>& counts);
 std::vector<double> height_ratios(const PointField& points, const HeldSide& held);
 
 }  // namespace hexweave

@@ -9,14 +9,9 @@
 
 namespace hexweave {
 
-double part_allowed(const MovableLine& line, double growth) {
-    if (line.part == 0) return 0;
-    return feasible_part(line.distances, line.log_factors, line.fade, growth, line.first);
-}
-
 MovableLine movable_line(const PointField& points, const WallFrame& wall, int a, int b,
                          double target, double asked_fade, const HeldHeights& request) {
-    MovableLine line{a, b, {}, {}, static_cast<std::size_t>(request.first), 0, {}, 1};
+    MovableLine line{a, b, {}, {}, static_cast<std::size_t>(request.first), 0, {}, 1, Stop::none};
     line.points.reserve(static_cast<std::size_t>(wall.depth()));
     for (int n = 0; n < wall.depth(); ++n) line.points.push_back(points[wall.offset(a, b, n)]);
     line.distances = distances_along(line.points);
@@ -29,10 +24,18 @@ MovableLine movable_line(const PointField& points, const WallFrame& wall, int a,
     line.points.shrink_to_fit();
     line.distances.resize(kept);
     line.log_factors.assign(kept, log_factor);
-    const double part = part_allowed(line, request.growth);
-    line.log_factors.assign(kept, part == 0 ? 0.0 : part * log_factor);
-    line.part = part == 0 ? 0 : 1;
+    limit_growth(line, request.growth);
+    line.log_factors.assign(kept, line.part == 0 ? 0.0 : line.part * log_factor);
+    if (line.part > 0) line.part = 1;
     return line;
+}
+
+void limit_growth(MovableLine& line, double growth) {
+    if (line.part == 0) return;
+    const bool finite = std::isfinite(line.log_factors.front());  // not at a pole
+    line.part = feasible_part(line.distances, line.log_factors, line.fade, growth, line.first);
+    if (line.part == 1 || line.stop != Stop::none || !finite) return;
+    line.stop = line.distances[line.first] >= line.fade ? Stop::fade : Stop::growth;
 }
 
 void spread_outwards(const PointField& points, const WallFrame& wall,

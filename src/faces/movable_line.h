@@ -12,6 +12,9 @@
 
 namespace hexweave {
 
+/// What keeps a line from the height asked.
+enum class Stop { none, growth, fade, folds };
+
 /// A line off the wall as the solve left it, as far as it may move and two points on.
 struct MovableLine {
     int a = 0;
@@ -22,11 +25,8 @@ struct MovableLine {
     double fade = 0;
     std::vector<double> log_factors;  ///< at every point
     double part = 1;                  ///< of log_factors that is applied; 0: it cannot move
+    Stop stop = Stop::none;
 };
-
-/// The part of the line's factors that its growth allows (see feasible_part): 0 of one that cannot
-/// move at all, as at a pole.
-double part_allowed(const MovableLine& line, double growth);
 
 /// The line that leaves node (a, b) of the wall; its factors are one all along, as much of what
 /// brings its first cell to the height `target` as `request.growth` allows.
@@ -37,6 +37,9 @@ MovableLine movable_line(const PointField& points, const WallFrame& wall, int a,
 /// (see FactorLayer). `lines` are all that leave the wall within its ends.
 void spread_outwards(const PointField& points, const WallFrame& wall,
                      std::vector<MovableLine>& lines);
+
+/// Cuts `part` to what the growth of the line allows (see feasible_part).
+void limit_growth(MovableLine& line, double growth);
 
 /// Puts the points of a line where `part` of its factors has them; those from the fade distance on
 /// stay.

@@ -33,12 +33,16 @@ Json orthogonality(const Orthogonality& o) {
             {"end", orthogonality_end_name(o.end)}};
 }
 
-Json held_heights(const HeightMeasure& h) {
+Json first_heights(const HeightMeasure& h) {
     return {{"side", side_name(h.side)},
+            {"held", h.held},
             {"asked", {json_of(h.least_asked), json_of(h.greatest_asked)}},
             {"least", json_of(h.least)},
             {"median", json_of(h.median)},
-            {"greatest", json_of(h.greatest)}};
+            {"greatest", json_of(h.greatest)},
+            {"stopped",
+             {{"growth", h.stopped.growth}, {"fade", h.stopped.fade}, {"folds", h.stopped.folds}}},
+            {"ends_amiss", h.ends_amiss}};
 }
 
 Json untangling(const Untangling& u) {
@@ -87,7 +91,7 @@ Json solve(const SolveMeasure& s) {
             {"flat_at", s.flat_at},
             {"orthogonality",
              s.result.orthogonality ? orthogonality(*s.result.orthogonality) : Json(nullptr)},
-            {"heights", json_list(s.heights, held_heights)},
+            {"heights", json_list(s.heights, first_heights)},
             {"off_surface", s.off_surface ? Json{{"distance", json_of(s.off_surface->distance)},
                                                  {"place", json_of(s.off_surface->place)},
                                                  {"size", json_of(s.off_surface->size)}}
@@ -148,6 +152,8 @@ Json report_json(const Report& r) {
                                          return Json{{"name", i.name},
                                                      {"periodic", i.periodic},
                                                      {"mismatched", i.mismatched},
+                                                     {"bend", json_of(i.bend)},
+                                                     {"bend_place", json_of(i.bend_place)},
                                                      {"growth", json_of(i.growth)}};
                                      })},
             {"walls", json_list(r.walls, [](const WallMeasure& w) { return json_of(w); })},

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "io/heights_text.h"
 #include "io/level_text.h"
 
 namespace hexweave {
@@ -204,29 +205,6 @@ std::string solve_table(const Report& report, bool verbose) {
     return text;
 }
 
-/// The sides at which heights are held; empty where there are none.
-std::string height_table(const Report& report) {
-    std::size_t width = 12;
-    const auto name_of = [](const SolveMeasure& s, const HeightMeasure& h) {
-        return fmt::format("{} {} {}", s.is_block ? "block" : "face", s.name, side_name(h.side));
-    };
-    for (const SolveMeasure& s : report.solves) {
-        for (const HeightMeasure& h : s.heights) width = std::max(width, name_of(s, h).size());
-    }
-    std::string rows;
-    for (const SolveMeasure& s : report.solves) {
-        for (const HeightMeasure& h : s.heights) {
-            rows += fmt::format("{:<{}}  {:>12.6g} {:>12.6g} | {:>9.4f} {:>9.4f} {:>9.4f}\n",
-                                name_of(s, h), width, h.least_asked, h.greatest_asked, h.least,
-                                h.median, h.greatest);
-        }
-    }
-    if (rows.empty()) return {};
-    return fmt::format("{:<{}}  {:>12} {:>12} | {:>9} {:>9} {:>9}\n", "heights held", width,
-                       "least asked", "greatest", "got/asked", "median", "greatest") +
-           rows + "\n";
-}
-
 std::string node_text(const ZoneMeasure& z) {
     if (z.extent.nk == 1) return fmt::format("({}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1);
     return fmt::format("({}, {}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1,
@@ -284,6 +262,25 @@ std::string growth_line(const Report& report) {
         [](const auto& a, const auto& b) { return a.growth.ratio < b.growth.ratio; });
     if (worst != report.interfaces.end()) add("across", worst->growth.ratio, worst->name);
     return text.empty() ? text : text + "\n";
+}
+
+/// The worst bend across an interface, and what would straighten it.
+std::string bend_line(const Report& report) {
+    constexpr double striking = 30;
+    const auto worst = std::max_element(
+        report.interfaces.begin(), report.interfaces.end(),
+        [](const InterfaceMeasure& a, const InterfaceMeasure& b) { return a.bend < b.bend; });
+    if (worst == report.interfaces.end() || worst->bend < striking) return {};
+    std::string text =
+        fmt::format("warning: grid lines bend by up to {:.0f} degrees across '{}', at {}",
+                    worst->bend, worst->name, place_text(worst->bend_place));
+    const bool faces_alone = std::none_of(report.solves.begin(), report.solves.end(),
+                                          [](const SolveMeasure& s) { return s.is_block; });
+    if (faces_alone) {
+        text += fmt::format("\n  hint: `orthogonal` at {} and {} makes them cross it straight",
+                            worst->sides[0], worst->sides[1]);
+    }
+    return text + "\n";
 }
 
 std::string wall_lines(const Report& report) {
@@ -406,9 +403,9 @@ std::vector<std::string> faults(const Report& report) {
 std::string to_text(const Report& report, bool verbose) {
     std::string text = family_lines(report) + spacing_table(report) + put_lines(report);
     text += "\n" + solve_table(report, verbose);
-    text += "\n" + height_table(report) + zone_table(report);
-    text +=
-        "\n" + angle_line(report) + growth_line(report) + wall_lines(report) + gate_lines(report);
+    text += "\n" + heights_text(report) + zone_table(report);
+    text += "\n" + angle_line(report) + growth_line(report) + bend_line(report) +
+            wall_lines(report) + gate_lines(report);
     text += "\n" + stage_line(report);
     return text;
 }

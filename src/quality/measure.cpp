@@ -9,7 +9,9 @@
 #include "core/parallel.h"
 #include "core/periodic_image.h"
 #include "quality/cell_corners.h"
+#include "quality/first_heights.h"
 #include "quality/gates.h"
+#include "quality/smoothness.h"
 
 namespace hexweave {
 namespace {
@@ -88,18 +90,32 @@ std::vector<SpacingMeasure> measure_spacings(const Topology& topology,
     return rows;
 }
 
-std::vector<HeightMeasure> measure_heights(const PointField& points,
-                                           const std::vector<HeldSide>& sides) {
-    std::vector<HeightMeasure> rows;
-    for (const HeldSide& held : sides) {
-        const std::vector<double> ratios = height_ratios(points, held);
-        const double* const asked = held.asked.data();
-        const auto [least, greatest] =
-            std::minmax_element(asked, asked + held.asked.extent().nodes());
-        rows.push_back({held.side, *least, *greatest, ratios.front(), ratios[ratios.size() / 2],
-                        ratios.back()});
+/// Which side of its zone a part of a boundary lies on: "imin of 'o'".
+std::string side_text(const IndexBox& box, const Zone& zone) {
+    const Extent e = zone.points.extent();
+    for (const Side side : all_sides) {
+        const auto axis = static_cast<std::size_t>(axis_of(side));
+        const int last = e[axis_of(side)] - 1;
+        if (last == 0 || box.begin[axis] != box.end[axis]) continue;
+        if (box.begin[axis] == (is_max(side) ? last : 0)) {
+            return std::string(side_name(side)) + " of '" + zone.name + "'";
+        }
     }
-    return rows;
+    return "'" + zone.name + "'";
+}
+
+/// The interface without the nodes at its ends, where a line across it may turn a corner; none
+/// where nothing is left.
+std::optional<Interface> without_ends(const Interface& interface, const Extent& extent) {
+    Interface inner = interface;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool is_thin = extent[static_cast<int>(axis)] <= 2;
+        if (is_thin || interface.box.begin[axis] == interface.box.end[axis]) continue;
+        if (++inner.box.begin[axis] > --inner.box.end[axis]) return std::nullopt;
+    }
+    inner.donor_box.begin = donor_node(interface, inner.box.begin);
+    inner.donor_box.end = donor_node(interface, inner.box.end);
+    return inner;
 }
 
 }  // namespace
@@ -118,8 +134,17 @@ ZoneMeasure measure_zone(const Zone& zone, int physical_dimension) {
 
 InterfaceMeasure measure_interface(const MultiblockGrid& grid, const Interface& interface,
                                    double epsilon) {
-    return {interface.name, count_mismatched(grid, interface, epsilon),
-            measure_growth(grid, interface), interface.periodic.has_value()};
+    const Zone& own = grid.zones[static_cast<std::size_t>(interface.zone)];
+    const Zone& donor = grid.zones[static_cast<std::size_t>(interface.donor)];
+    InterfaceMeasure measure{interface.name, count_mismatched(grid, interface, epsilon),
+                             measure_growth(grid, interface), interface.periodic.has_value()};
+    measure.sides = {side_text(interface.box, own), side_text(interface.donor_box, donor)};
+    if (const auto inner = without_ends(interface, own.points.extent())) {
+        const BendMeasure bends = measure_bends(grid, *inner);
+        measure.bend = bends.greatest;
+        measure.bend_place = bends.place;
+    }
+    return measure;
 }
 
 Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
@@ -143,6 +168,7 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
     for (const PutOnSurface& put : topology.put_on_surface) {
         report.put_on_surface.push_back({put.what, put.surfaces, put.distance, put.place});
     }
+    const AskingWalls walls{topology, edges, grid};
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Face& face = topology.faces[f];
         report.solves.push_back({face.name,
@@ -150,7 +176,8 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
                                  face.extent(),
                                  faces[f].solve,
                                  {},
-                                 measure_heights(faces[f].points, faces[f].heights),
+                                 first_heights(topology.is_3d() ? nullptr : &walls, f,
+                                               faces[f].points, faces[f].heights),
                                  faces[f].off_surface});
         for (std::size_t corner = 0; corner < 4; ++corner) {
             if (!faces[f].flat_corners[corner]) continue;
@@ -161,7 +188,7 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         report.solves.push_back({topology.blocks[b].name, true, topology.blocks[b].extent,
                                  blocks[b].solve, blocks[b].flat_edges,
-                                 measure_heights(blocks[b].points, blocks[b].heights)});
+                                 first_heights(&walls, b, blocks[b].points, blocks[b].heights)});
     }
     report.gates = judge_gates(topology, faces, grid, report);
     return report;

@@ -11,6 +11,7 @@
 #include "core/orientation.h"
 #include "core/vec3.h"
 #include "elliptic/solve_result.h"
+#include "faces/held_side.h"
 #include "faces/off_surface.h"
 #include "quality/angles.h"
 #include "quality/growth.h"
@@ -34,14 +35,24 @@ struct SpacingMeasure {
     double last = 0;
 };
 
-/// First heights held at one side of a face or block, over those asked; at all of its nodes.
+/// First heights at one side of a face or block over those asked there: at all of its nodes where
+/// they are held; where they are not, at those on walls, asked by the edges that leave its corners.
 struct HeightMeasure {
     Side side = Side::jmin;
+    bool held = true;
     double least_asked = 0;
     double greatest_asked = 0;
     double least = 0;  ///< got over asked
     double median = 0;
     double greatest = 0;
+    StoppedLines stopped{};      ///< where held
+    std::size_t ends_amiss = 0;  ///< nodes at the ends of a held side, fixed, that are amiss
+
+    /// Whether a height is more than a tenth off the asked one.
+    bool is_amiss() const { return is_amiss(least) || is_amiss(greatest); }
+    static bool is_amiss(double got_over_asked) {
+        return got_over_asked < 0.9 || got_over_asked > 1.1;
+    }
 };
 
 /// A solve of one face or block.
@@ -87,6 +98,10 @@ struct InterfaceMeasure {
     std::size_t mismatched = 0;
     GrowthMeasure growth;  ///< across it
     bool periodic = false;
+    /// The greatest angle, in degrees, by which a grid line bends across it, but at its ends.
+    double bend = 0;
+    Vec3 bend_place{};
+    std::array<std::string, 2> sides{};  ///< "imin of 'o'": of its zone and of its donor
 };
 
 /// A vertex or an edge that was put onto surfaces: how far it was from them at most, and where.

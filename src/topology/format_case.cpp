@@ -252,7 +252,7 @@ MappingFormat gates() {
              {"wall_spacing_error",
               {number(Quantity::none, positive)},
               "",
-              "relative error of the cells asked at ends of edges and of held heights",
+              "relative error of the cells asked at ends of edges and, all over walls, of heights",
               "wall_spacing_error: 0.1"}}};
 }
 

@@ -16,7 +16,7 @@ enum class GateMeasure {
     max_skewness,        ///< equiangle: |angle - 90| / 90
     max_growth,          ///< of neighbouring intervals on a grid line, the longer over the shorter
     max_wall_angle,      ///< degrees off the normal of a wall, not beside its ends
-    wall_spacing_error,  ///< relative, of the cells asked at ends of edges and of held heights
+    wall_spacing_error,  ///< relative, of the cells asked at ends of edges and of heights at walls
 };
 inline constexpr std::size_t gate_measures = 7;
 

@@ -82,6 +82,55 @@ TEST_CASE("walls of a grid extruded by one cell are judged within its sections")
     CHECK_THAT(run.out, Contains("gate MISSED: max_wall_angle 30, at most 10 required"));
 }
 
+TEST_CASE("first heights between edges are judged against what those ask, at every wall node") {
+    const Scratch scratch;
+    const auto ogrid = [](const std::string& more) {
+        return "hexweave: 1\n"
+               "curves: {in: {circle: {center: [0, 0], radius: 1}}, far: {circle: {center: [0, 0], "
+               "radius: 10}}}\n"
+               "vertices: {a: [1, 0], b: [10, 0]}\n"
+               "edges:\n"
+               "  wall: {from: a, to: a, along: in, cells: 40}\n"
+               "  out: {from: b, to: b, along: far}\n"
+               "  cut: {from: a, to: b, cells: 30, spacing: {start: 0.01}}\n"
+               "faces: {o: {jmin: -wall, jmax: -out, imin: cut, imax: cut" +
+               more +
+               "}}\n"
+               "boundaries: {wall: {type: BCWall, sides: wall}, far: {type: BCFarfield, sides: "
+               "out}}\n"
+               "require: {wall_spacing_error: 0.05}\n";
+    };
+    scratch.write("plain.yaml", ogrid(""));
+    const Finished plain = scratch.hexweave("run plain.yaml --json plain.json");
+    INFO(plain.out << plain.err);
+    CHECK(plain.exit_code == 1);
+    CHECK_THAT(plain.out,
+               Contains("off those that edges ask at 1 side, the worst face o jmin: 0.25"));
+    CHECK_THAT(plain.out, Contains("hint: `heights: {jmin: held}` in face 'o' holds them there"));
+    CHECK_THAT(plain.out, Contains("gate MISSED: wall_spacing_error 0.7"));
+    CHECK_THAT(plain.out, Contains("warning: grid lines bend by up to 9"));
+    CHECK_THAT(plain.out, Contains("hint: `orthogonal` at imin of 'o' and imax of 'o'"));
+    const auto json = nlohmann::json::parse(scratch.read("plain.json"))["report"];
+    CHECK(json["solves"][0]["heights"][0]["held"] == false);
+    CHECK(json["interfaces"][0]["bend"] > 80);
+
+    scratch.write("straight.yaml",
+                  ogrid(", orthogonal: [imin, imax], heights: {jmin: {height: 0.01}}"));
+    const Finished straight = scratch.hexweave("run straight.yaml");
+    INFO(straight.out << straight.err);
+    CHECK(straight.exit_code == 0);
+    CHECK_THAT(straight.out, !Contains("warning"));
+    CHECK_THAT(straight.out, Contains("gate met: wall_spacing_error"));
+
+    scratch.write("low.yaml", ogrid(", heights: {jmin: {height: 1e-5}}"));
+    const Finished low = scratch.hexweave("run low.yaml");
+    INFO(low.out << low.err);
+    CHECK(low.exit_code == 1);
+    CHECK_THAT(low.out, Contains("warning: face o jmin: heights held are "));
+    CHECK_THAT(low.out, Contains("`growth` stops 39 lines"));
+    CHECK_THAT(low.out, Contains("what is fixed at its ends is off at 2 nodes"));
+}
+
 TEST_CASE("quality judges a grid of another's making and says so by its exit code") {
     const Scratch scratch;
     const std::string grid = HEXWEAVE_SOURCE_DIR "/tests/io/grids/n0012_113-33.p2d";

@@ -73,6 +73,7 @@ TEST_CASE("heights between two edges become those of the edges, and boundaries s
     request.growth = 1.5;
     const HeldSide held = hold_heights(points, Side::jmin, request);
     CHECK(held.fade == Approx(0.2));
+    CHECK(held.stopped.growth + held.stopped.fade + held.stopped.folds == 0);
     const double edge = distance(drifted(0, 1), drifted(0, 0));
     CHECK(height_ratios(drifted, held).back() == Approx(2.5).epsilon(0.01));
     for (const double ratio : height_ratios(points, held)) CHECK(ratio == Approx(1).epsilon(1e-9));
@@ -229,6 +230,11 @@ TEST_CASE("growth is bounded by what is asked, or was there") {
     const HeldSide held = hold_heights(points, Side::jmin, request);
     CHECK(line_growth() <= 2.5 * (1 + 1e-9));
     CHECK(height_ratios(points, held).front() > 1.5);
+    CHECK(held.stopped.growth == 31);
+    request.height = 0.01;
+    request.fade = first / 2;
+    PointField coarse = square(1, [](double, double) { return 1.0; });
+    CHECK(hold_heights(coarse, Side::jmin, request).stopped.fade == 31);
 }
 
 TEST_CASE("a block's heights are held between its sides, which stay") {
