@@ -12,6 +12,8 @@ namespace hexweave {
 
 namespace {
 
+constexpr int cost = 30;  // of a node, for parallel_blocks
+
 /// A line along the wall: values, coefficients of diffusion, and the length of the interval before
 /// each node.
 struct AlongWall {
@@ -76,10 +78,7 @@ void smooth_line(FactorLayer& layer, const PointField& points, const WallFrame& 
     }
 }
 
-}  // namespace
-
-void smooth_along_wall(FactorLayer& layer, const PointField& points, const WallFrame& wall, int n) {
-    constexpr int cost = 30;  // of a node, for parallel_blocks
+void smooth_along_a(FactorLayer& layer, const PointField& points, const WallFrame& wall, int n) {
     parallel_blocks(wall.count_b, cost * wall.count_a, [&](int begin, int end) {
         for (int b = begin; b < end; ++b) {
             smooth_line(layer, points, wall, n, wall.count_a, [b](int m) {
@@ -87,7 +86,9 @@ void smooth_along_wall(FactorLayer& layer, const PointField& points, const WallF
             });
         }
     });
-    if (wall.is_line()) return;
+}
+
+void smooth_along_b(FactorLayer& layer, const PointField& points, const WallFrame& wall, int n) {
     parallel_blocks(wall.count_a, cost * wall.count_b, [&](int begin, int end) {
         for (int a = begin; a < end; ++a) {
             smooth_line(layer, points, wall, n, wall.count_b, [a](int m) {
@@ -95,6 +96,20 @@ void smooth_along_wall(FactorLayer& layer, const PointField& points, const WallF
             });
         }
     });
+}
+
+}  // namespace
+
+void smooth_along_wall(FactorLayer& layer, const PointField& points, const WallFrame& wall, int n) {
+    if (wall.is_line()) return smooth_along_a(layer, points, wall, n);
+    FactorLayer other = layer;
+    smooth_along_a(layer, points, wall, n);
+    smooth_along_b(layer, points, wall, n);
+    smooth_along_b(other, points, wall, n);
+    smooth_along_a(other, points, wall, n);
+    for (std::size_t m = 0; m < wall.nodes().nodes(); ++m) {
+        layer.log_factors[m] = 0.5 * (layer.log_factors[m] + other.log_factors[m]);
+    }
 }
 
 }  // namespace hexweave

@@ -20,7 +20,8 @@ struct FactorLayer {
 };
 
 /// From the factors of layer n - 1 those of layer n: an implicit step of diffusion along the
-/// layer's lines, first those along a, then those along b, by a quarter of `widening`, so that all
+/// layer's lines, those along a and along b - the mean of either order, so that the axes may change
+/// places - by a quarter of `widening`, so that all
 /// steps to a distance r together weigh the factors at the wall by a bell of variance r^2 / 2, and
 /// no factor is beyond those about it. Nodes at the ends of the wall keep theirs, and so do all
 /// where `widening` is 0.

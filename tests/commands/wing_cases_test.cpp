@@ -105,7 +105,9 @@ TEST_CASE("the walls of the wing-body are those of the model, its planes are exa
     for_each_node(grid, "pole_line", [](const Vec3& p) { CHECK(p.z > 4 - 1e-12); });
     const Json report = Json::parse(scratch.read("report.json"))["report"];
     for (const Json& solve : report["solves"]) {
-        for (const Json& side : solve["heights"]) CHECK(side["median"] == Approx(1).epsilon(0.01));
+        for (const Json& side : solve["heights"]) {
+            if (side["held"]) CHECK(side["median"] == Approx(1).epsilon(0.01));
+        }
     }
     // The patches of the model gape where they meet at the nose, by no more than this.
     for (const Json& solve : report["solves"]) {
