@@ -12,6 +12,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/utf8.h"
+
 namespace hexweave {
 
 namespace {
@@ -22,26 +24,6 @@ struct ShownCharacter {
     std::string text;
     int width = 1;  ///< terminal columns; a tab has -1
 };
-
-struct CodePoint {
-    std::uint32_t value = 0;
-    std::size_t bytes = 1;
-    bool valid = false;
-};
-
-CodePoint decode(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    if (lead < 0x80) return {lead, 1, true};
-    const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 0;
-    if (bytes == 0 || text.size() < bytes) return {};
-    std::uint32_t value = lead & (0xFFU >> (bytes + 1));
-    for (std::size_t i = 1; i < bytes; ++i) {
-        const auto next = static_cast<unsigned char>(text[i]);
-        if ((next & 0xC0U) != 0x80U) return {};
-        value = (value << 6U) | (next & 0x3FU);
-    }
-    return {value, bytes, true};
-}
 
 /// Columns that a terminal gives to a character: none to combining marks, two to East Asian wide
 /// characters and emoji.
@@ -63,16 +45,16 @@ int width_of(std::uint32_t c) {
     return std::any_of(wide.begin(), wide.end(), holds) ? 2 : 1;
 }
 
-ShownCharacter shown(std::string_view bytes, const CodePoint& c) {
-    if (c.value == '\t' && c.valid) return {"\t", -1};
-    const bool control = c.value < 0x20 || (c.value >= 0x7F && c.value < 0xA0);
+ShownCharacter shown(std::string_view bytes, const Utf8Character& c) {
+    if (c.code == '\t' && c.valid) return {"\t", -1};
+    const bool control = c.code < 0x20 || (c.code >= 0x7F && c.code < 0xA0);
     if (!c.valid || control) return {"?", 1};
-    return {std::string(bytes.substr(0, c.bytes)), width_of(c.value)};
+    return {std::string(bytes.substr(0, c.bytes)), width_of(c.code)};
 }
 
 int count_characters(std::string_view line) {
     int count = 0;
-    for (; !line.empty(); ++count) line.remove_prefix(decode(line).bytes);
+    for (; !line.empty(); ++count) line.remove_prefix(decode_utf8(line).bytes);
     return count;
 }
 
@@ -80,7 +62,7 @@ int count_characters(std::string_view line) {
 std::vector<ShownCharacter> characters(std::string_view line, int begin, int end) {
     std::vector<ShownCharacter> result;
     for (int n = 0; n < end; ++n) {
-        const CodePoint c = decode(line);
+        const Utf8Character c = decode_utf8(line);
         if (n >= begin) result.push_back(shown(line, c));
         line.remove_prefix(c.bytes);
     }

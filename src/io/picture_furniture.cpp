@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "core/errors.h"
+#include "core/utf8.h"
 #include "io/picture_text.h"
 
 namespace hexweave {
@@ -26,7 +27,7 @@ std::string fitted(const std::string& text, double size, double width) {
     std::string shown = printable(text);
     if (text_width(shown, size) <= width) return shown;
     while (!shown.empty() && text_width(shown + "…", size) > width) {
-        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0U) == 0x80U) {
+        while (!shown.empty() && is_utf8_continuation(shown.back())) {
             shown.pop_back();
         }
         if (!shown.empty()) shown.pop_back();

@@ -6,41 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
+
+#include "core/utf8.h"
 
 namespace hexweave {
-
-namespace {
-
-/// The length of the UTF-8 sequence that starts at `at`; 0 when there is none.
-std::size_t utf8_length(const std::string& text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned lead = byte(at);
-    const std::size_t length = lead < 0x80                    ? 1
-                               : lead >= 0xC2 && lead <= 0xDF ? 2
-                               : lead >= 0xE0 && lead <= 0xEF ? 3
-                               : lead >= 0xF0 && lead <= 0xF4 ? 4
-                                                              : 0;
-    if (length == 0 || at + length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(at + i) & 0xC0U) != 0x80U) return 0;
-    }
-    if (length < 3) return length;
-    const unsigned second = byte(at + 1);
-    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-    const bool outside = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
-    return overlong || outside ? 0 : length;
-}
-
-}  // namespace
 
 std::string printable(const std::string& text) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = utf8_length(text, at);
-        const auto lead = static_cast<unsigned char>(text[at]);
-        const bool control = length == 1 && (lead < 0x20 || lead == 0x7F);
-        result += length == 0 || control ? "?" : text.substr(at, length);
-        at += std::max<std::size_t>(length, 1);
+        const Utf8Character c = decode_utf8(std::string_view(text).substr(at));
+        const bool control = c.code < 0x20 || c.code == 0x7F;
+        result += !c.valid || control ? "?" : text.substr(at, c.bytes);
+        at += c.bytes;
     }
     return result;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/diagnostics.h"
+#include "core/utf8.h"
 
 namespace hexweave {
 
@@ -109,7 +110,7 @@ private:
 
     ExpressionFault foreign_character() const {
         std::size_t bytes = 1;
-        while (at_ + bytes < text_.size() && (text_[at_ + bytes] & 0xC0) == 0x80) ++bytes;
+        while (at_ + bytes < text_.size() && is_utf8_continuation(text_[at_ + bytes])) ++bytes;
         return {fmt::format("'{}' has no place in an expression", text_.substr(at_, bytes)),
                 remedy(std::string_view(text_).substr(at_, bytes)), at_, 1};
     }

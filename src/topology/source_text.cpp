@@ -4,33 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
+
+#include "core/utf8.h"
 
 namespace hexweave {
 
 namespace {
-
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-/// Bytes of the well-formed UTF-8 character that `text` begins with; 0 where it is broken
-/// (too long a form, a surrogate, beyond U+10FFFF).
-std::size_t character_bytes(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    if (lead < 0x80) return 1;
-    const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 0;
-    if (bytes == 0 || text.size() < bytes) return 0;
-    std::uint32_t value = lead & (0xFFU >> (bytes + 1));
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if (!is_continuation(text[i])) return 0;
-        value = (value << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
-    }
-    const std::uint32_t least = bytes == 2 ? 0x80 : bytes == 3 ? 0x800 : 0x10000;
-    const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
-    return value < least || value > 0x10FFFF || surrogate ? 0 : bytes;
-}
 
 bool is_control(std::string_view text) {
     const auto c = static_cast<unsigned char>(text.front());
@@ -41,8 +21,8 @@ bool is_control(std::string_view text) {
 bool check_characters(const SourcePlaces& places, Diagnostics& diagnostics) {
     const std::string_view text = places.text();
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t bytes = character_bytes(text.substr(at));
-        if (bytes == 0) {
+        const Utf8Character character = decode_utf8(text.substr(at));
+        if (!character.valid) {
             diagnostics.error(places.at(at),
                               fmt::format("byte 0x{:02X} is not valid UTF-8",
                                           static_cast<unsigned char>(text[at])),
@@ -56,7 +36,7 @@ bool check_characters(const SourcePlaces& places, Diagnostics& diagnostics) {
                               "remove it");
             return false;
         }
-        at += bytes;
+        at += character.bytes;
     }
     return true;
 }
@@ -103,7 +83,7 @@ Place SourcePlaces::at(std::size_t offset, int length) const {
 
 int count_characters(std::string_view text) {
     return static_cast<int>(
-        std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
+        std::count_if(text.begin(), text.end(), [](char c) { return !is_utf8_continuation(c); }));
 }
 
 std::string shown(const std::string& text) {
@@ -111,7 +91,7 @@ std::string shown(const std::string& text) {
     std::string line = text;
     if (line.size() > longest) {
         std::size_t end = longest - 3;
-        while (end > 0 && is_continuation(line[end])) --end;
+        while (end > 0 && is_utf8_continuation(line[end])) --end;
         line = line.substr(0, end) + "...";
     }
     for (char& c : line) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
