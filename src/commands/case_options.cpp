@@ -39,7 +39,11 @@ std::string tally(const Diagnostics& d) {
     const auto counted = [](int n, const char* what) {
         return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
     };
-    std::string text = counted(d.errors(), "error");
+    const int most = static_cast<int>(Diagnostics::most_kept);
+    std::string text =
+        d.errors() <= most
+            ? counted(d.errors(), "error")
+            : fmt::format("more than {} errors: what follows is not looked at", most);
     if (d.warnings() > 0) text += ", " + counted(d.warnings(), "warning");
     return text + "\n";
 }

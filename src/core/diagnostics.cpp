@@ -52,19 +52,22 @@ ShownCharacter shown(std::string_view bytes, const Utf8Character& c) {
     return {std::string(bytes.substr(0, c.bytes)), width_of(c.code)};
 }
 
-int count_characters(std::string_view line) {
-    int count = 0;
-    for (; !line.empty(); ++count) line.remove_prefix(decode_utf8(line).bytes);
-    return count;
+/// The offset of character `number` of a line, from 0; its end where it is shorter.
+std::size_t offset_of(std::string_view line, int number) {
+    std::size_t at = 0;
+    for (int n = 0; at < line.size(); ++at) {
+        if (!is_utf8_continuation(line[at]) && n++ == number) break;
+    }
+    return at;
 }
 
-/// Characters `begin` to `end` of a line, from 0.
-std::vector<ShownCharacter> characters(std::string_view line, int begin, int end) {
+/// The first characters of a text, at most `most`.
+std::vector<ShownCharacter> characters(std::string_view text, int most) {
     std::vector<ShownCharacter> result;
-    for (int n = 0; n < end; ++n) {
-        const Utf8Character c = decode_utf8(line);
-        if (n >= begin) result.push_back(shown(line, c));
-        line.remove_prefix(c.bytes);
+    for (int n = 0; n < most && !text.empty(); ++n) {
+        const Utf8Character c = decode_utf8(text);
+        result.push_back(shown(text, c));
+        text.remove_prefix(c.bytes);
     }
     return result;
 }
@@ -88,11 +91,11 @@ std::vector<ShownCharacter> shown_part(std::string_view line, int& column) {
     constexpr int window = 120;
     constexpr int before = 60;
     const ShownCharacter dots{"...", 3};
-    const int size = count_characters(line);
-    if (size <= window + before) return characters(line, 0, size);
-    const int begin = std::clamp(column - before, 0, size - window);
-    std::vector<ShownCharacter> part = characters(line, begin, begin + window);
-    if (begin + window < size) part.push_back(dots);
+    if (offset_of(line, window + before) == line.size()) return characters(line, window + before);
+    const int begin = std::max(0, column - before);
+    line.remove_prefix(offset_of(line, begin));
+    std::vector<ShownCharacter> part = characters(line, window);
+    if (offset_of(line, window) < line.size()) part.push_back(dots);
     if (begin > 0) {
         part.insert(part.begin(), dots);
         column -= begin - 1;
@@ -144,13 +147,27 @@ void add_users(std::vector<Note>& notes, const Place& place) {
     }
 }
 
+/// A text of bounded length: what is too long is shown with its beginning and its end.
+std::string without_middle(std::string text) {
+    constexpr std::size_t longest = 1000;
+    constexpr std::size_t end_shown = 400;
+    if (text.size() <= longest) return text;
+    std::size_t cut = longest - end_shown;
+    while (cut > 0 && is_utf8_continuation(text[cut])) --cut;
+    std::size_t end = text.size() - end_shown;
+    while (end < text.size() && is_utf8_continuation(text[end])) ++end;
+    return text.replace(cut, end - cut, " ... ");
+}
+
 std::string lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
 
-/// Insertions, deletions, substitutions and swaps of neighbours that lead from a to b.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
+/// Insertions, deletions, substitutions and swaps of neighbours that lead from a to b; `most` or
+/// more where they are so many.
+std::size_t edit_distance(const std::string& a, const std::string& b, std::size_t most) {
+    if (a.size() >= b.size() + most || b.size() >= a.size() + most) return most;
     const std::size_t width = b.size() + 1;
     std::vector<std::size_t> before(width);
     std::vector<std::size_t> above(width);
@@ -166,21 +183,36 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
             const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
             if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
         }
+        // A later row follows from this one or, by a swap, from the one above it.
+        const auto least = [](const auto& r) { return *std::min_element(r.begin(), r.end()); };
+        if (least(row) >= most && least(above) >= most) return most;
     }
     return row.back();
 }
 
 }  // namespace
 
+Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
+    Count& kind = count(diagnostic.severity);
+    ++kind.found;
+    diagnostic.message = without_middle(std::move(diagnostic.message));
+    diagnostic.hint = without_middle(std::move(diagnostic.hint));
+    if (kind.kept == most_kept) return not_kept_ = std::move(diagnostic);
+    ++kind.kept;
+    return all_.emplace_back(std::move(diagnostic));
+}
+
 Diagnostic& Diagnostics::error(Place place, std::string message, std::string hint) {
-    ++errors_;
-    all_.push_back({Severity::error, std::move(place), std::move(message), std::move(hint), {}});
-    return all_.back();
+    if (errors_.kept == most_kept) {
+        ++errors_.found;
+        sort();
+        throw InputError(*this);
+    }
+    return add({Severity::error, std::move(place), std::move(message), std::move(hint), {}});
 }
 
 Diagnostic& Diagnostics::warning(Place place, std::string message, std::string hint) {
-    all_.push_back({Severity::warning, std::move(place), std::move(message), std::move(hint), {}});
-    return all_.back();
+    return add({Severity::warning, std::move(place), std::move(message), std::move(hint), {}});
 }
 
 void Diagnostics::sort() {
@@ -196,12 +228,14 @@ void Diagnostics::sort() {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
 
     all_.clear();
-    errors_ = 0;
     std::set<std::tuple<Key, Severity, std::string>> told;
     for (auto& [key, d] : keyed) {
-        if (!told.emplace(key, d.severity, d.message).second) continue;
-        if (d.severity == Severity::error) ++errors_;
-        all_.push_back(std::move(d));
+        if (told.emplace(key, d.severity, d.message).second) {
+            all_.push_back(std::move(d));
+        } else {
+            --count(d.severity).found;
+            --count(d.severity).kept;
+        }
     }
 }
 
@@ -229,14 +263,24 @@ std::string render(const Diagnostic& diagnostic) {
 std::string render(const Diagnostics& diagnostics) {
     std::string text;
     for (const Diagnostic& d : diagnostics.all()) text += render(d);
+    const auto warnings =
+        std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
+                      [](const Diagnostic& d) { return d.severity == Severity::warning; });
+    if (diagnostics.warnings() > warnings) {
+        text += "and " + std::to_string(diagnostics.warnings() - warnings) + " more warnings\n";
+    }
     return text;
 }
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
+    // Of very many names some are near by chance, and to look through them takes long.
+    constexpr std::size_t most_known = 20'000;
+    if (known.size() > most_known) return {};
     std::string nearest;
     std::size_t least = std::min<std::size_t>(name.size() / 3, 3) + 1;
+    const std::string written = lower_case(name);
     for (const std::string& candidate : known) {
-        const std::size_t distance = edit_distance(lower_case(name), lower_case(candidate));
+        const std::size_t distance = edit_distance(written, lower_case(candidate), least);
         if (distance < least) {
             least = distance;
             nearest = candidate;

@@ -3,6 +3,7 @@
 // compiler's messages.
 #pragma once
 
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <string>
@@ -46,22 +47,39 @@ struct Diagnostic {
     std::vector<Note> notes;
 };
 
-/// The diagnostics of one run, in the order in which they were found.
+/// The diagnostics of one run, in the order in which they were found. A file of a million lines can
+/// be wrong in each: of warnings the first `most_kept` are kept and the others counted; an error
+/// more than as many ends the work, as an InputError with those before it. Of a message or hint
+/// longer than any of ours (it shows a text of the user's) the middle is left out.
 class Diagnostics {
 public:
+    static constexpr std::size_t most_kept = 200;
+
     Diagnostic& error(Place place, std::string message, std::string hint = {});
     Diagnostic& warning(Place place, std::string message, std::string hint = {});
 
     const std::vector<Diagnostic>& all() const { return all_; }
-    bool has_errors() const { return errors_ > 0; }
-    int errors() const { return errors_; }
-    int warnings() const { return static_cast<int>(all_.size()) - errors_; }
+    bool has_errors() const { return errors() > 0; }
+    int errors() const { return errors_.found; }
+    int warnings() const { return warnings_.found; }
+    /// How many were found and not kept.
+    int left_out() const { return errors() + warnings() - static_cast<int>(all_.size()); }
     /// Sorted by line and column, file by file; equal messages at one place are kept once.
     void sort();
 
 private:
+    struct Count {
+        int found = 0;
+        std::size_t kept = 0;
+    };
+
+    Count& count(Severity s) { return s == Severity::error ? errors_ : warnings_; }
+    Diagnostic& add(Diagnostic diagnostic);
+
     std::vector<Diagnostic> all_;
-    int errors_ = 0;
+    Count errors_;
+    Count warnings_;
+    Diagnostic not_kept_;
 };
 
 /// Thrown at the end of reading and of resolving when there were errors; carries all of them.
@@ -81,7 +99,7 @@ std::string render(const Diagnostic& diagnostic);
 std::string render(const Diagnostics& diagnostics);
 
 /// The name among `known` nearest to `name` by edit distance (at most a third of its length, and
-/// 3), or an empty string.
+/// 3), or an empty string; also where the known names are more than 20,000.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace hexweave

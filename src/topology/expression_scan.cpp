@@ -12,6 +12,7 @@
 
 #include "core/diagnostics.h"
 #include "core/utf8.h"
+#include "topology/source_text.h"
 
 namespace hexweave {
 
@@ -41,6 +42,12 @@ bool is_letter(char c) {
 }
 bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\n';
+}
+
+/// Whether a word is what YAML and other programs write for numbers that are none: ".nan", "Inf".
+bool is_not_finite(std::string word) {
+    for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return word == ".nan" || word == ".inf" || word == "nan" || word == "inf" || word == "infinity";
 }
 
 class Scan {
@@ -136,10 +143,9 @@ private:
         const auto [stop, error] = std::from_chars(begin, end, value);
         const auto length = std::max<std::size_t>(1, static_cast<std::size_t>(stop - begin));
         const std::string written = text_.substr(at_, length);
-        if (error == std::errc::invalid_argument)
-            return ExpressionFault{"a '.' without digits", "write 0.5", at_, 1};
+        if (error == std::errc::invalid_argument) return point_without_digits();
         if (error != std::errc()) {
-            return ExpressionFault{fmt::format("the number {} is out of range", written),
+            return ExpressionFault{fmt::format("the number {} is out of range", shown(written)),
                                    "numbers lie between 1e-307 and 1e308", at_, length};
         }
         const bool glued = stop != end && (is_letter(*stop) || is_digit(*stop) || *stop == '.');
@@ -150,15 +156,31 @@ private:
         return std::nullopt;
     }
 
-    ExpressionFault bad_number() const {
+    /// Letters, digits and points from here on.
+    std::string word() const {
         std::size_t end = at_;
         while (end < text_.size() &&
                (is_letter(text_[end]) || is_digit(text_[end]) || text_[end] == '.')) {
             ++end;
         }
-        const std::string written = text_.substr(at_, end - at_);
-        return {fmt::format("'{}' is neither a number nor a name", written), glued_remedy(written),
-                at_, end - at_};
+        return text_.substr(at_, end - at_);
+    }
+
+    ExpressionFault bad_number() const {
+        const std::string written = word();
+        return {fmt::format("'{}' is neither a number nor a name", shown(written)),
+                glued_remedy(written), at_, written.size()};
+    }
+
+    ExpressionFault point_without_digits() const {
+        const std::string written = word();
+        if (is_not_finite(written)) return not_finite(written);
+        return {"a '.' without digits", "write 0.5", at_, 1};
+    }
+
+    ExpressionFault not_finite(const std::string& written) const {
+        return {fmt::format("a number must be finite, not '{}'", written),
+                "leave out what is not to be given", at_, written.size()};
     }
 
     /// What was glued to a number: a unit, a hexadecimal number, a name.
@@ -177,7 +199,7 @@ private:
     }
 
     ExpressionFault operator_missing(const std::string& written, std::size_t length) const {
-        return {fmt::format("an operator is missing before '{}'", written),
+        return {fmt::format("an operator is missing before '{}'", shown(written)),
                 "write '*' to multiply; a number has no unit of its own: that of all lengths is "
                 "said once, by 'units'",
                 at_, length};
@@ -200,7 +222,8 @@ private:
 
     std::optional<ExpressionFault> function(const std::string& name) const {
         if (is_function_name(name)) return std::nullopt;
-        ExpressionFault fault{fmt::format("there is no function '{}'", name), {}, at_, name.size()};
+        ExpressionFault fault{
+            fmt::format("there is no function '{}'", shown(name)), {}, at_, name.size()};
         std::vector<std::string> known(functions.size());
         std::transform(functions.begin(), functions.end(), known.begin(),
                        [](const Function& f) { return std::string(f.name); });
@@ -244,7 +267,9 @@ private:
     }
 
     ExpressionFault unknown(const std::string& name) const {
-        ExpressionFault fault{fmt::format("unknown parameter '{}'", name), {}, at_, name.size()};
+        if (is_not_finite(name)) return not_finite(name);
+        ExpressionFault fault{
+            fmt::format("unknown parameter '{}'", shown(name)), {}, at_, name.size()};
         std::vector<std::string> known;
         for (const auto& [parameter, value] : scope_.values) known.push_back(parameter);
         const std::string nearest = nearest_name(name, known);
@@ -267,8 +292,8 @@ private:
         } else if (!known.empty() && known.size() <= 20) {
             fault.hint = fmt::format("known parameters are {}", fmt::join(known, ", "));
         } else {
-            fault.hint =
-                fmt::format("write a number, or define it: 'parameters: {{{}: VALUE}}'", name);
+            fault.hint = fmt::format("write a number, or define it: 'parameters: {{{}: VALUE}}'",
+                                     shown(name));
         }
         return fault;
     }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "topology/expression_scan.h"
+#include "topology/source_text.h"
 
 namespace hexweave {
 
@@ -125,7 +126,7 @@ ExpressionFault fault_of(const mu::ParserError& error, const std::string& text) 
             break;
         default:
             fault.message = token.empty() ? "this is not an arithmetic expression"
-                                          : fmt::format("unexpected '{}'", token);
+                                          : fmt::format("unexpected '{}'", shown(token));
     }
     return fault;
 }
@@ -238,7 +239,7 @@ std::variant<double, ExpressionFault> evaluate(const std::string& text, Paramete
     }
     if (!std::isfinite(value)) {
         return ExpressionFault{
-            fmt::format("'{}' is not finite: its value is {}", text,
+            fmt::format("'{}' is not finite: its value is {}", shown(text),
                         std::isnan(value) ? "not a number" : fmt::format("{}", value)),
             values_hint(scan.values), 0, text.size()};
     }

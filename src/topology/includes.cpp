@@ -37,8 +37,25 @@ bool is_within(const Place& place, const std::filesystem::path& file) {
     return place.used_by && is_within(place.used_by->place, file);
 }
 
-/// False, after an error, for a file that is part of the case already.
+/// How many files lie between a place and the case.
+int depth_of(const Place& place) {
+    int depth = 0;
+    for (const Note* user = place.used_by.get(); user != nullptr;
+         user = user->place.used_by.get()) {
+        ++depth;
+    }
+    return depth;
+}
+
+/// False, after an error, for a file that is part of the case already, or too deep in it.
 bool enter_file(Merge& merge, const YamlNode& name) {
+    constexpr int most_nested = 20;
+    if (depth_of(name.place) >= most_nested) {
+        merge.reading.diagnostics.error(
+            name.place, fmt::format("files include one another more than {} deep", most_nested),
+            "include the innermost files from a file further out");
+        return false;
+    }
     const std::filesystem::path path = true_path(path_of_file(name));
     if (is_within(name.place, path)) {
         merge.reading.diagnostics.error(name.place,

@@ -19,7 +19,8 @@ namespace hexweave {
 
 namespace {
 
-constexpr std::size_t most_nodes = 2'000'000;  ///< of the YAML that instances stand for
+constexpr std::size_t most_nodes = 1'000'000;  ///< of the YAML that instances stand for
+constexpr std::size_t most_nested = 20;        ///< instances within instances
 constexpr double similarity_tolerance = 1e-12;
 
 /// Sections of a component whose entries become those of the case.
@@ -70,7 +71,8 @@ const YamlNode* component_of(Expansion& all, const YamlNode& instance, const std
         return nullptr;
     }
     if (std::find(all.open.begin(), all.open.end(), *name) != all.open.end()) {
-        reading.diagnostics.error(of->place, fmt::format("component '{}' is made of itself", *name),
+        reading.diagnostics.error(of->place,
+                                  fmt::format("component '{}' is made of itself", shown(*name)),
                                   "take out this instance, or make it of another component");
         return nullptr;
     }
@@ -189,6 +191,13 @@ void append_sections(Expansion& all, YamlNode& copy, const ScopePointer& scope) 
 }
 
 bool has_room(Expansion& all, const YamlNode& instance, const YamlNode& component) {
+    if (all.open.size() >= most_nested) {
+        all.reading.diagnostics.error(
+            instance.key_place,
+            fmt::format("instances within instances are more than {} deep", most_nested),
+            "make the innermost components one");
+        return false;
+    }
     all.nodes += count_nodes(component);
     if (all.nodes <= most_nodes) return true;
     if (!all.too_large) {

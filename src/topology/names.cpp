@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "topology/source_text.h"
+#include "topology/text_limit.h"
+
 namespace hexweave {
 
 namespace {
@@ -129,7 +132,7 @@ void tell_left_out(const std::string& kind, const Name& name, const Place& when,
 }
 
 std::string quoted(const std::string& name) {
-    return "'" + name + "'";
+    return "'" + (name.size() <= longest_name_given ? name : shown(name)) + "'";
 }
 
 std::string listed(const std::vector<std::string>& names, std::size_t most) {

@@ -69,7 +69,7 @@ void read_level(Reading& reading, const YamlNode& node, Case& c) {
         c.level = name;
         return;
     }
-    reading.diagnostics.error(name.place, fmt::format("unknown level '{}'", name.value),
+    reading.diagnostics.error(name.place, fmt::format("unknown level {}", quoted(name.value)),
                               suggestion(name.value, {known.begin(), known.end()}, "levels are"));
 }
 

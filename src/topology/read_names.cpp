@@ -103,8 +103,9 @@ std::vector<Name> read_names(Reading& reading, const YamlNode& node, const std::
             return !name.value.empty() && other.value == name.value;
         });
         if (again) {
-            reading.diagnostics.error(
-                item.place, fmt::format("{} names '{}' twice", what, name.value), "name it once");
+            reading.diagnostics.error(item.place,
+                                      fmt::format("{} names '{}' twice", what, shown(name.value)),
+                                      "name it once");
             name.value.clear();
         }
         names.push_back(std::move(name));

@@ -98,11 +98,12 @@ std::optional<double> read_positive(Reading& reading, const YamlNode& node,
                                     const std::string& what) {
     const std::optional<double> value = read_number(reading, node, what);
     if (!value || *value > 0) return value;
-    const std::string shown = fmt::format("{}", *value);
+    const std::string number = fmt::format("{}", *value);
     reading.diagnostics.error(
         node.place,
-        shown == node.text ? fmt::format("{} must be positive, not {}", what, shown)
-                           : fmt::format("{} must be positive; '{}' is {}", what, node.text, shown),
+        number == node.text
+            ? fmt::format("{} must be positive, not {}", what, number)
+            : fmt::format("{} must be positive; '{}' is {}", what, shown(node.text), number),
         usage_of(reading, node));
     return std::nullopt;
 }
@@ -112,9 +113,10 @@ std::optional<int> read_count(Reading& reading, const YamlNode& node, const std:
     const std::optional<double> value = read_number(reading, node, what);
     if (!value) return std::nullopt;
     const double whole = std::round(*value);
-    const std::string shown = fmt::format("{:.12g}", *value);
-    const std::string is = shown == node.text ? fmt::format(", not {}", shown)
-                                              : fmt::format("; '{}' is {}", node.text, shown);
+    const std::string number = fmt::format("{:.12g}", *value);
+    const std::string is = number == node.text
+                               ? fmt::format(", not {}", number)
+                               : fmt::format("; '{}' is {}", shown(node.text), number);
     if (std::abs(*value - whole) > 1e-9 * std::max(1.0, std::abs(whole))) {
         reading.diagnostics.error(node.place, fmt::format("{} must be a whole number{}", what, is),
                                   rounding_hint(node, *value));

@@ -19,6 +19,7 @@
 #include "topology/format_table.h"
 #include "topology/source_text.h"
 #include "topology/suggestions.h"
+#include "topology/text_limit.h"
 #include "topology/yaml_tree.h"
 
 namespace hexweave {
@@ -128,7 +129,7 @@ std::optional<std::size_t> read_choice(Reading& reading, const YamlNode& node,
 /// The name that a key defines: letters, digits and underscores, not what YAML takes for a switch,
 /// at most `longest` bytes.
 bool check_new_name(Reading& reading, const YamlNode& node, const std::string& kind,
-                    std::size_t longest = 200);
+                    std::size_t longest = longest_name_given);
 /// The use of a name; an empty name, after an error, where there is none. Hyphens may stand in it:
 /// edges and faces that are made rather than drawn are called a-b.
 Name read_name(Reading& reading, const YamlNode& node, const std::string& what);

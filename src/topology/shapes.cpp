@@ -75,7 +75,7 @@ void tell_unknown(Shapes& shapes, const std::vector<ShapeOfFile<Shape>>& entries
     }
     Keys known;
     for (const ShapeOfFile<Shape>& entry : entries) known.emplace_back(entry.node->key);
-    shapes.reading.diagnostics.error(node.place, fmt::format("unknown {} '{}'", kind, name),
+    shapes.reading.diagnostics.error(node.place, fmt::format("unknown {} {}", kind, quoted(name)),
                                      known.empty()
                                          ? fmt::format("draw it under '{}s'", kind)
                                          : suggestion(name, known, fmt::format("{}s are", kind)));

@@ -46,9 +46,10 @@ bool check_indentation(const SourcePlaces& places, Diagnostics& diagnostics) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::size_t first = std::min(text.find_first_not_of(" \t\r", begin), end);
-        const std::size_t tab = text.find('\t', begin);
-        if (tab < first && first < end) {
-            diagnostics.error(places.at(tab), "a tab in the indentation", "indent with spaces");
+        const std::size_t tab = text.substr(begin, first - begin).find('\t');
+        if (tab != std::string_view::npos && first < end) {
+            diagnostics.error(places.at(begin + tab), "a tab in the indentation",
+                              "indent with spaces");
             return false;
         }
         begin = end + 1;

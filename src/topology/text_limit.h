@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long the text of a case may be: what is longer is not a case, or points that belong into
-// files of their own.
+// How long the text of a case may be (what is longer is not a case, or points that belong into
+// files of their own), and the names in it.
 #pragma once
 
 #include <cstddef>
@@ -8,5 +8,6 @@
 namespace hexweave {
 
 inline constexpr std::size_t longest_text = std::size_t{16} << 20U;  ///< bytes
+inline constexpr std::size_t longest_name_given = 200;               ///< bytes
 
 }  // namespace hexweave

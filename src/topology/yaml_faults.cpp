@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "topology/text_limit.h"
 #include "topology/yaml_layout.h"
 
 namespace hexweave {
@@ -62,14 +63,15 @@ bool tell_unquoted(std::string_view fault, std::size_t offset, const SourcePlace
                    Diagnostics& diagnostics) {
     const std::string_view text = places.text();
     if (fault == "alias not found after *" || fault == "anchor not found after &") --offset;
-    const std::string_view word =
+    const std::string_view whole =
         text.substr(offset, text.substr(offset).find_first_of(" \t\r\n,]}"));
+    const std::string word = shown(std::string(whole));
     if (word.empty() || std::string_view("*&@%`").find(word.front()) == std::string_view::npos) {
         return false;
     }
     const bool alias = word.front() == '*' && word.size() > 1;
     diagnostics.error(
-        places.at(offset, count_characters(word)),
+        places.at(offset, count_characters(whole)),
         alias ? fmt::format("'{}' is a YAML alias, but no anchor '&{}' stands before it", word,
                             word.substr(1))
               : fmt::format("'{}' begins no text in YAML", word.front()),
@@ -85,6 +87,8 @@ void tell_syntax_error(const YAML::Exception& fault, const SourcePlaces& places,
     const std::size_t offset =
         fault.mark.pos < 0 ? size : std::min(static_cast<std::size_t>(fault.mark.pos), size);
     if (tell_unquoted(fault.msg, offset, places, diagnostics)) return;
+    const bool colon = fault.msg == "illegal map value";
+    if (colon && tell_long_key(offset, places, diagnostics)) return;
 
     if (is_of_layout(fault.msg) && !inside) {
         if (const auto layout = layout_fault(places, offset)) {
@@ -101,6 +105,23 @@ void tell_syntax_error(const YAML::Exception& fault, const SourcePlaces& places,
         places.at(offset), "not valid YAML: " + (found ? std::string(known->message) : fault.msg),
         hint);
     if (inside) d.notes.push_back(*inside);
+}
+
+bool tell_long_key(std::size_t offset, const SourcePlaces& places, Diagnostics& diagnostics) {
+    constexpr int longest_key = 1024;  // YAML 1.2, 7.4.2
+    const std::string_view text = places.text();
+    const std::size_t before = text.find_last_of("\n,{[", offset);
+    const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
+    const std::size_t begin = text.find_first_not_of(" -?", first);
+    const std::size_t end = text.find_first_of(":\n", offset);
+    if (end == std::string_view::npos || begin >= end) return false;
+    const int length = count_characters(text.substr(begin, end - begin));
+    if (length <= longest_key) return false;
+    diagnostics.error(
+        places.at(begin, length),
+        fmt::format("this key has {} characters; YAML allows {}", length, longest_key),
+        fmt::format("the names of a case have at most {}", longest_name_given));
+    return true;
 }
 
 }  // namespace hexweave

@@ -14,6 +14,7 @@
 
 #include "topology/source_text.h"
 #include "topology/text_limit.h"
+#include "topology/yaml_end.h"
 #include "topology/yaml_faults.h"
 #include "topology/yaml_slips.h"
 
@@ -22,16 +23,18 @@ namespace hexweave {
 namespace {
 
 constexpr std::size_t maximum_depth = 100;
-constexpr std::size_t maximum_aliased = 100'000;  ///< nodes that aliases stand for
+constexpr std::size_t maximum_copied = 200'000;   ///< nodes for anchors and their aliases
 constexpr std::size_t maximum_nodes = 1'000'000;  ///< of a file
 
 /// Ends the parsing from inside an event; the diagnostic is already told.
 struct ParsingEnded {};
 
-std::size_t count_nodes(const YamlNode& node) {
-    std::size_t count = 1;
-    for (const YamlNode& child : node.children) count += count_nodes(child);
-    return count;
+/// What a copy of a node takes: its nodes, where a long text counts as many.
+std::size_t size_of_copy(const YamlNode& node) {
+    constexpr std::size_t bytes_of_node = 100;
+    std::size_t size = 1 + (node.text.size() + node.key.size()) / bytes_of_node;
+    for (const YamlNode& child : node.children) size += size_of_copy(child);
+    return size;
 }
 
 /// The offset behind anchors (`&name`) that stand before a node.
@@ -76,6 +79,8 @@ public:
     void OnDocumentEnd() override {}
 
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        const bool key = !open_.empty() && open_.back().node.is_mapping() && !open_.back().has_key;
+        if (key && tell_long_key(offset(mark), places_, diagnostics_)) throw ParsingEnded{};
         YamlNode node;
         node.place = place(mark);
         const std::string_view rest = places_.text().substr(offset(mark));
@@ -88,6 +93,7 @@ public:
 
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string& value) override {
+        if (tag != "!" && tag != "?") refuse_tag(place(mark), tag);
         const std::size_t begin = skip_anchor(places_.text(), offset(mark));
         const std::string_view source = places_.text().substr(begin);
         YamlNode node;
@@ -95,7 +101,6 @@ public:
         node.text = value;
         node.place = places_.at(begin);
         node.quoted = tag == "!";
-        if (tag != "!" && tag != "?") refuse_tag(place(mark), tag);
 
         const bool quote = !source.empty() && (source.front() == '"' || source.front() == '\'');
         if (node.quoted && quote) {
@@ -105,9 +110,9 @@ public:
             node.place.length = count_characters(first_line(source.substr(0, end)));
         } else if (source.substr(0, value.size()) == value) {
             node.text_column = node.place.column;
-            node.place.length = count_characters(value);
+            node.place.length = std::max(1, count_characters(value));
         } else {
-            node.place.length = count_characters(first_line(source));
+            node.place.length = std::max(1, count_characters(first_line(source)));
         }
         if (node.text.find('\n') != std::string::npos) node.text_column = 0;
         add(std::move(node), anchor);
@@ -119,17 +124,13 @@ public:
         const Place here = places_.at(offset(mark), count_characters(written));
         const auto found = anchors_.find(anchor);
         if (found == anchors_.end()) {
-            diagnostics_.error(
-                here, fmt::format("the alias '{}' stands inside of its own anchor", written),
-                "write out what it stands for");
+            diagnostics_.error(here,
+                               fmt::format("the alias '{}' stands inside of its own anchor",
+                                           shown(std::string(written))),
+                               "write out what it stands for");
             throw ParsingEnded{};
         }
-        aliased_ += count_nodes(found->second);
-        if (aliased_ > maximum_aliased) {
-            diagnostics_.error(here, "aliases inside of aliases make this file too large",
-                               "write out what they stand for, or repeat with 'repeat'");
-            throw ParsingEnded{};
-        }
+        count_copy(found->second, here);
         YamlNode node = found->second;
         node.place = here;
         node.text_column = 0;
@@ -164,7 +165,10 @@ private:
     }
     Place place(const YAML::Mark& mark) const { return places_.at(offset(mark)); }
 
+    /// As much of its first line as a caret may mark.
     static std::string_view first_line(std::string_view text) {
+        constexpr std::size_t longest = 1000;
+        text = text.substr(0, longest);
         return text.substr(0, text.find_first_of("\r\n"));
     }
 
@@ -172,6 +176,7 @@ private:
 
     void open(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag,
               YAML::anchor_t anchor, YAML::EmitterStyle::value style) {
+        if (!tag.empty() && tag != "?" && tag != "!") refuse_tag(place(mark), tag);
         OpenNode node;
         node.node.kind = kind;
         node.node.place = places_.at(skip_anchor(places_.text(), offset(mark)));
@@ -180,10 +185,9 @@ private:
         if (open_.size() >= maximum_depth) {
             diagnostics_.error(node.node.place,
                                fmt::format("nested more than {} deep", maximum_depth),
-                               "no case needs that; check the brackets");
+                               "no case needs that; check the brackets and the indentation");
             throw ParsingEnded{};
         }
-        if (!tag.empty() && tag != "?" && tag != "!") refuse_tag(place(mark), tag);
         open_.push_back(std::move(node));
     }
 
@@ -199,7 +203,10 @@ private:
                                "put lists of points into files of their own");
             throw ParsingEnded{};
         }
-        if (anchor != 0) anchors_[anchor] = node;
+        if (anchor != 0) {
+            count_copy(node, node.place);
+            anchors_[anchor] = node;
+        }
         if (open_.empty()) {
             root_ = std::move(node);
             return;
@@ -214,6 +221,17 @@ private:
         } else {
             add_value(parent, std::move(node));
         }
+    }
+
+    /// Every anchored node is kept a second time, and once more at each of its aliases.
+    void count_copy(const YamlNode& node, const Place& where) {
+        copied_ += size_of_copy(node);
+        if (copied_ <= maximum_copied) return;
+        diagnostics_.error(where, "anchors and their aliases make this file too large",
+                           fmt::format("they stand for more than {} values here; put lists of "
+                                       "points into files of their own",
+                                       maximum_copied));
+        throw ParsingEnded{};
     }
 
     void set_key(OpenNode& parent, const YamlNode& node) {
@@ -244,7 +262,8 @@ private:
     }
 
     void refuse_tag(const Place& where, const std::string& tag) {
-        diagnostics_.error(where, fmt::format("YAML tags such as '{}' have no meaning here", tag),
+        diagnostics_.error(where,
+                           fmt::format("YAML tags such as '{}' have no meaning here", shown(tag)),
                            "remove the tag, or quote the text");
     }
 
@@ -265,7 +284,7 @@ private:
     YamlNode root_;
     std::vector<OpenNode> open_;
     std::map<YAML::anchor_t, YamlNode> anchors_;
-    std::size_t aliased_ = 0;
+    std::size_t copied_ = 0;
     std::size_t nodes_ = 0;
 };
 
@@ -290,46 +309,6 @@ bool handle_document(YAML::Parser& parser, const SourcePlaces& places, TreeBuild
         tell_syntax_error(fault, places, builder.open_bracket(), diagnostics);
         return false;
     }
-}
-
-/// Notes where a document starts and goes no further.
-class DocumentFinder : public YAML::EventHandler {
-public:
-    int start = -1;
-
-    void OnDocumentStart(const YAML::Mark& mark) override {
-        start = mark.pos;
-        throw ParsingEnded{};
-    }
-    void OnDocumentEnd() override {}
-    void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-    void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-    void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                  const std::string& /*value*/) override {}
-    void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
-                         YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
-    void OnSequenceEnd() override {}
-    void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
-                    YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
-    void OnMapEnd() override {}
-};
-
-/// Whatever follows the document: yaml-cpp drops it without a word unless it is asked for.
-bool check_nothing_follows(YAML::Parser& parser, const SourcePlaces& places,
-                           Diagnostics& diagnostics) {
-    DocumentFinder finder;
-    try {
-        if (!parser.HandleNextDocument(finder)) return true;
-    } catch (const ParsingEnded&) {
-        const std::size_t start = static_cast<std::size_t>(std::max(finder.start, 0));
-        diagnostics.error(places.at(start), "this does not belong to what stands before it",
-                          "one file holds one mapping of keys; check the indentation");
-        return false;
-    } catch (const YAML::Exception& fault) {
-        tell_syntax_error(fault, places, {}, diagnostics);
-        return false;
-    }
-    return true;
 }
 
 }  // namespace

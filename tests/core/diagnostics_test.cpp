@@ -57,6 +57,45 @@ TEST_CASE("a message on a text that is used from elsewhere says from where") {
           "  ^~~~\n");
 }
 
+TEST_CASE("of very many warnings the first are kept, and very many errors end the work") {
+    Diagnostics diagnostics;
+    for (int n = 1; n <= 1000; ++n) {
+        diagnostics.warning(place("a\n", 1, n), "warned " + std::to_string(n))
+            .notes.push_back({place("a\n", 1, 1), "seen"});
+    }
+    CHECK(diagnostics.warnings() == 1000);
+    CHECK(diagnostics.all().size() == Diagnostics::most_kept);
+    CHECK_FALSE(diagnostics.has_errors());
+    for (int n = 200; n >= 1; --n) diagnostics.error(place("a\n", 1, n), "wrong");
+    CHECK(diagnostics.errors() == 200);
+    CHECK(diagnostics.left_out() == 800);
+    try {
+        diagnostics.error(place("a\n", 1, 999), "wrong");
+        FAIL("no end of errors");
+    } catch (const InputError& error) {
+        CHECK(error.diagnostics.errors() == 201);
+        CHECK(error.diagnostics.all().size() == 2 * Diagnostics::most_kept);
+        CHECK(error.diagnostics.all().front().place.column == 1);
+        const std::string text = render(error.diagnostics);
+        CHECK(text.find("warned 200\n") != std::string::npos);
+        CHECK(text.find("warned 201\n") == std::string::npos);
+        CHECK(text.find(":999:") == std::string::npos);
+        CHECK(text.find("\nand 800 more warnings\n") != std::string::npos);
+    }
+}
+
+TEST_CASE("of a message without end the middle is left out, between characters") {
+    Diagnostics diagnostics;
+    std::string name;
+    for (int n = 0; n < 5000; ++n) name += "é";
+    const Diagnostic& d = diagnostics.error({}, "unknown '" + name + "'!", name);
+    CHECK(d.message.size() < 1010);
+    CHECK(d.message.substr(0, 13) == "unknown 'éé");
+    CHECK(d.message.substr(d.message.size() - 6) == "éé'!");
+    CHECK(d.message.find("é ... é") != std::string::npos);
+    CHECK(d.hint.size() < 1010);
+}
+
 TEST_CASE("a warning says so and notes stand before the hint") {
     const Place first = place("a: 1\nb: 2\na: 3\n", 1, 1);
     const Place again = place("a: 1\nb: 2\na: 3\n", 3, 1);
@@ -140,6 +179,9 @@ TEST_CASE("the nearest name is near: within a third of the length and three edit
     CHECK(nearest_name("a", known).empty());
     CHECK(nearest_name("cxyls", known).empty());
     CHECK(nearest_name("", known).empty());
+    CHECK(nearest_name("spacnig", known) == "spacing");
+    CHECK(nearest_name(std::string(100'000, 's'), known).empty());
+    CHECK(nearest_name("celss", std::vector<std::string>(30'000, "cells")).empty());
     CHECK(nearest_name("bcwallviscous", {"BCWall", "BCWallViscous"}) == "BCWallViscous");
     CHECK(nearest_name("orthogonality_of_all", {"orthxgxnxlxty_of_all"}).empty());
 }

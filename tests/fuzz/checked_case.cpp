@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t longest_line = 2'000;    ///< bytes of a message or a hint
 constexpr std::size_t longest_text = 20'000;   ///< of a diagnostic with all that belongs to it
-constexpr std::size_t most_diagnostics = 500;  ///< that are shown
+constexpr std::size_t most_diagnostics = 400;  ///< that are shown
 
 /// Whether a text can be printed: valid UTF-8 without control characters.
 bool is_printable(std::string text) {

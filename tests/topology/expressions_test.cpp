@@ -124,6 +124,11 @@ TEST_CASE("faults stand at the character where they are") {
     CHECK(fault("sin") == "0+3 the function 'sin' lacks its argument in parentheses");
     CHECK(fault("1 + foo(2)") == "4+3 there is no function 'foo'");
     CHECK(fault("1e999") == "0+5 the number 1e999 is out of range");
+    CHECK(fault("1 + .5x") == "4+3 '.5x' is neither a number nor a name");
+    CHECK(fault("-.") == "1+1 a '.' without digits");
+    CHECK(fault("2 * .nan") == "4+4 a number must be finite, not '.nan'");
+    CHECK(fault("-INF") == "1+3 a number must be finite, not 'INF'");
+    CHECK(fault("infinite") == "0+8 unknown parameter 'infinite'");
     CHECK(fault("1 +") == "3+1 the expression ends too early");
     CHECK(fault("   ") == "3+1 the expression ends too early");
     CHECK(fault("2 * / 3") == "4+1 an operator where a value should stand");

@@ -146,6 +146,33 @@ TEST_CASE("an alias or anchor that was meant as text is told to be quoted") {
     CHECK(at(parse_good("cells: 2 * n & m\n"), "cells").text == "2 * n & m");
 }
 
+TEST_CASE("keys that are longer than YAML allows are told as such") {
+    const std::string longest(1024, 'k');
+    const std::string message = "this key has 1025 characters; YAML allows 1024";
+    CHECK(at(parse_good("{" + longest + ": 1}\n"), longest).text == "1");
+    CHECK(fault("a:\n  " + longest + "k: 1\n") == "2:3: " + message);
+    CHECK(fault("- " + longest + "k: 1\n") == "1:3: " + message);
+    CHECK(fault("{a: 1, " + longest + "k: 1}\n") == "1:8: " + message);
+    CHECK(fault("a: b: c\n") == "1:5: not valid YAML: a ':' where no key can stand");
+    CHECK(fault("{: 1}\n") == "1:2: a key must be a name");
+}
+
+TEST_CASE("anchors within anchors are copies, too") {
+    std::string nested;
+    for (int n = 0; n < 50; ++n) nested += "&a" + std::to_string(n) + " [";
+    std::string list;
+    for (int n = 0; n < 5000; ++n) list += "1, ";
+    const std::string end(50, ']');
+    CHECK(parse("a: " + nested + "1" + end + "\n").diagnostics.all().empty());
+    CHECK(parse("a: " + nested + list + end + "\n").diagnostics.all().at(0).message ==
+          "anchors and their aliases make this file too large");
+    const std::string text = "a: &a " + std::string(100'000, 'x') + "\nb: [";
+    CHECK(parse(text + "*a, *a]\n").diagnostics.all().empty());
+    std::string many;
+    for (int n = 0; n < 300; ++n) many += "*a, ";
+    CHECK(parse(text + many + "1]\n").diagnostics.errors() == 1);
+}
+
 TEST_CASE("depth and the size of nested aliases have limits") {
     const std::string deep = "a: " + std::string(99, '[') + std::string(99, ']') + "\n";
     const std::string deeper = "a: " + std::string(100, '[') + std::string(100, ']') + "\n";
@@ -159,5 +186,5 @@ TEST_CASE("depth and the size of nested aliases have limits") {
         for (int n = 0; n < 10; ++n) laughs.append(n > 0 ? ", *a" : "*a").append(1, before);
         laughs.append("]\n");
     }
-    CHECK(fault(laughs) == "5:45: aliases inside of aliases make this file too large");
+    CHECK(fault(laughs) == "5:9: anchors and their aliases make this file too large");
 }
