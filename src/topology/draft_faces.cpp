@@ -280,6 +280,15 @@ bool poles_are_sound(Draft& draft, const DraftFace& face, const NamedSides& name
     return sound;
 }
 
+bool edges_are_sound(Draft& draft, const FaceLoop& loop) {
+    for (const auto& side : loop) {
+        for (const EdgeUse& use : side.uses) {
+            if (!draft.edge(use.edge).sound) return false;
+        }
+    }
+    return true;
+}
+
 /// The ways round a planar face that a grid can take, where there are some: those whose outline
 /// turns once, else those that turn once clockwise, whose remedy is told later.
 std::vector<FaceLoop> loops_that_turn_once(Draft& draft, std::vector<FaceLoop> loops) {
@@ -316,6 +325,8 @@ void join_face(Draft& draft, DraftFace& face, const NamedSides& named) {
         report_open_loop(draft, face, most_closed_loop(chains), named);
         return;
     }
+    // Which way it is meant, an edge without its curve cannot tell.
+    if (loops.size() > 1 && !edges_are_sound(draft, loops.front())) return;
     if (loops.size() > 1) loops = loops_that_turn_once(draft, std::move(loops));
     if (loops.size() > 1) {
         report_ambiguous(draft, face, loops, named);
@@ -326,10 +337,7 @@ void join_face(Draft& draft, DraftFace& face, const NamedSides& named) {
     face.face.corners = {loop[2].start, loop[2].end, loop[3].end, loop[3].start};
     face.face.collapsed = collapsed_axes(face.face);
     const bool poles = poles_are_sound(draft, face, named);
-    face.sound = cuts_are_sound(draft, face, named) && poles;
-    for (const auto& side : face.face.sides) {
-        for (const EdgeUse& use : side) face.sound = face.sound && draft.edge(use.edge).sound;
-    }
+    face.sound = cuts_are_sound(draft, face, named) && poles && edges_are_sound(draft, loop);
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ private:
 
     ExpressionFault not_finite(const std::string& written) const {
         return {fmt::format("a number must be finite, not '{}'", written),
-                "leave out what is not to be given", at_, written.size()};
+                "give a number, or leave the key out", at_, written.size()};
     }
 
     /// What was glued to a number: a unit, a hexadecimal number, a name.

@@ -145,7 +145,7 @@ TEST_CASE("what is not arithmetic is refused") {
     CHECK(fault("2**3") == "1+2 '**' is not an operator");
     CHECK(fault("sum(1, 2)") == "0+3 there is no function 'sum'");
     CHECK(fault("_pi") == "0+3 unknown parameter '_pi'");
-    CHECK(fault("nan") == "0+3 unknown parameter 'nan'");
+    CHECK(fault("nan") == "0+3 a number must be finite, not 'nan'");
     CHECK(fault("1 + \xC3\xA9") == "4+1 '\xC3\xA9' has no place in an expression");
 }
 
