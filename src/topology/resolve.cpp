@@ -18,6 +18,7 @@
 #include "topology/spacing_propagation.h"
 #include "topology/surface_faces.h"
 #include "topology/sweep.h"
+#include "topology/twin_vertices.h"
 
 namespace hexweave {
 
@@ -54,6 +55,7 @@ Topology resolve_scaled(const Case& c, const std::optional<GridFamily>& family,
     }
     Network network = connect(c, diagnostics);
     measure_extent(network.topology, network.three_dimensional);
+    if (network.intact) warn_of_twin_vertices(network.topology, diagnostics);
     if (check_surface_faces(network, diagnostics)) {
         network.intact = check_handedness(network, diagnostics) && network.intact;
     }

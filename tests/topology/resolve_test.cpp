@@ -257,3 +257,29 @@ TEST_CASE("The exponent at flat edges is 0.7 in blocks and their faces, 1 in gri
     CHECK(resolved(own).faces[1].solve.flat_edge_exponent == 0.6);
     CHECK(resolved(own).faces[0].solve.flat_edge_exponent == 1);
 }
+
+TEST_CASE("Vertices in one place under two names are told, as what meets there is not joined") {
+    const auto halves = [](const std::string& second) {
+        return R"(
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1], e: [2, 0], f: [2, 1], twin: )" +
+               second + R"(}
+edges:
+  ab: {from: a, to: b, cells: 3}
+  ad: {from: a, to: d, cells: 3}
+  be: {from: twin, to: e, cells: 3}
+  ef: {from: e, to: f, cells: 3}
+faces:
+  l: {corners: [a, b, c, d]}
+  r: {corners: [twin, e, f, c]}
+boundaries:
+  w: {type: BCWall, sides: [ab, ad, be, c-d, ef, c-f, b-c, c-twin]}
+)";
+    };
+    CHECK(
+        faults(halves("[1, 0]")) ==
+        R"(2: warning: vertices 'b' and 'twin' lie in the same place: edges and faces that meet there under two names are not joined
+  2: 'b' is here
+  hint: write 'b' for both, unless a gap without width is meant
+)");
+    CHECK(faults(halves("[1.00001, 0]")).empty());
+}
