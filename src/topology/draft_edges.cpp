@@ -69,9 +69,19 @@ std::vector<double> vertex_parameters(Draft& draft, const EdgeEntry& edge, const
 std::optional<CurvePiece> pick_piece(Draft& draft, const EdgeEntry& entry, const Curve& curve,
                                      const std::vector<CurvePiece>& pieces) {
     if (entry.through) {
-        const double parameter = project(curve, entry.through->value).parameter;
+        // Near is enough, but a point that could be anywhere else was meant for another curve.
+        constexpr double near = 0.25;
+        const CurvePoint foot = project(curve, entry.through->value);
+        if (!(foot.distance <= near * size_of(curve))) {
+            draft.diagnostics.error(
+                entry.through->place,
+                fmt::format("'through' is {} away from the curve {}", number_text(foot.distance),
+                            quoted(entry.along->value)),
+                fmt::format("the nearest point of the curve is {}", point_text(foot.position)));
+            return std::nullopt;
+        }
         for (const CurvePiece& piece : pieces) {
-            if (passes(curve, piece, parameter)) return piece;
+            if (passes(curve, piece, foot.parameter)) return piece;
         }
         draft.diagnostics.error(
             entry.through->place,

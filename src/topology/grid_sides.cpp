@@ -57,6 +57,33 @@ GridSides edges_of_faces(const Topology& topology) {
     return sides;
 }
 
+/// The names of what a side of a block, or of a face, is made of: of "inlet.jmin" the faces; empty
+/// where it is no such name.
+std::vector<std::string> parts_of_side(const Topology& topology, bool of_blocks,
+                                       const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos) return {};
+    const std::string owner = name.substr(0, dot);
+    std::vector<std::string> parts;
+    for (const Side side : all_sides) {
+        if (side_name(side) != name.substr(dot + 1)) continue;
+        for (const Block& block : topology.blocks) {
+            if (block.name != owner) continue;
+            for (const FaceUse& use : block.side(side).faces) {
+                parts.push_back(topology.faces[static_cast<std::size_t>(use.face)].name);
+            }
+        }
+        if (of_blocks || axis_of(side) == 2) continue;
+        for (const Face& face : topology.faces) {
+            if (face.name != owner) continue;
+            for (const EdgeUse& use : face.side(side)) {
+                parts.push_back(topology.edges[static_cast<std::size_t>(use.edge)].name);
+            }
+        }
+    }
+    return parts;
+}
+
 /// The index of the edge or face of a name; nothing after an error.
 std::optional<int> find_kind(const Network& network, const GridSides& sides, const Name& name,
                              const SideOwner& owner, Diagnostics& diagnostics) {
@@ -72,6 +99,14 @@ std::optional<int> find_kind(const Network& network, const GridSides& sides, con
                           of_faces
                               ? fmt::format("with blocks, {} are made of faces", owner.many)
                               : fmt::format("without blocks, {} are made of edges", owner.many));
+    } else if (const std::vector<std::string> parts =
+                   parts_of_side(network.topology, of_faces, name.value);
+               !parts.empty()) {
+        diagnostics.error(name.place,
+                          fmt::format("{} is a side of a {}, but the sides of {} are {}s",
+                                      quoted(name.value), sides.user, owner.one, sides.kind),
+                          fmt::format("write {}, the {}{} there", fmt::join(parts, ", "),
+                                      sides.kind, parts.size() == 1 ? "" : "s"));
     } else if (!name.value.empty() &&
                (network.intact || name.value.find('-') == std::string::npos)) {
         // Where something is at fault, an edge or a face that it would make is not.
