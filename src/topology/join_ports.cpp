@@ -248,8 +248,9 @@ void join_pair(Joining& joining, const Pair& pair) {
          {std::pair(pair.inside, inside), std::pair(pair.outside, outside)}) {
         if (!kinds.empty()) continue;
         const auto& left_out = joining.c.left_out;
-        const auto entry = std::find_if(left_out.begin(), left_out.end(),
-                                        [&](const auto& e) { return e.name == name.value; });
+        const auto entry =
+            std::find_if(left_out.begin(), left_out.end(),
+                         [&wanted = name](const auto& e) { return e.name == wanted.value; });
         if (entry != left_out.end()) {
             tell_left_out("what is joined,", name, entry->when, joining.diagnostics);
             return;
