@@ -172,10 +172,25 @@ bool read_indices(Reading& reading, const YamlNode& repeat, std::vector<Index>& 
     return false;
 }
 
+/// What an entry that cannot be expanded would have named is not told as unknown.
+void lose_names_of(Reading& reading, const std::string& section) {
+    if (section != "instances") {
+        reading.lost_sections.push_back(section);
+        return;
+    }
+    for (const char* made : {"curves", "surfaces", "vertices", "edges", "faces", "blocks"}) {
+        reading.lost_sections.emplace_back(made);
+    }
+}
+
 void add_repeated(Reading& reading, const YamlNode& entry, const YamlNode& repeat,
                   const std::string& section, std::vector<YamlNode>& entries) {
     std::vector<Index> indices;
-    if (!read_indices(reading, repeat, indices)) return;
+    const int errors = reading.diagnostics.errors();
+    if (!read_indices(reading, repeat, indices)) {
+        if (reading.diagnostics.errors() > errors) lose_names_of(reading, section);
+        return;
+    }
     for (const Index& index : indices) {
         const std::size_t brace = entry.key.find('{');
         if (brace != std::string::npos && entry.key.find(index.name, brace) != std::string::npos) {
@@ -186,6 +201,7 @@ void add_repeated(Reading& reading, const YamlNode& entry, const YamlNode& repea
             fmt::format("the name '{}' is the same for every '{}'", shown(entry.key), index.name),
             fmt::format("put the index into the name, as in {}{{{}}}", shown(entry.key),
                         index.name));
+        lose_names_of(reading, section);
         return;
     }
     std::vector<int> values;
