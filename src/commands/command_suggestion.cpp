@@ -58,7 +58,7 @@ std::string suggestion_for(const CLI::App& app, const std::vector<std::string>& 
     const std::string who = command == &app ? "hexweave" : "hexweave " + command->get_name();
     for (const std::string& argument : arguments) {
         if (!argument.starts_with("--")) continue;
-        const std::string told =
+        std::string told =
             suggest(who, "option", argument.substr(0, argument.find('=')), long_options(*command));
         if (!told.empty()) return told;
     }
@@ -67,7 +67,7 @@ std::string suggestion_for(const CLI::App& app, const std::vector<std::string>& 
 
 std::string refusal_of(const CLI::App& app, const std::vector<std::string>& arguments,
                        const CLI::ParseError& found) {
-    const std::string meant = suggestion_for(app, arguments);
+    std::string meant = suggestion_for(app, arguments);
     if (!meant.empty()) return meant;
     const CLI::App* command = arguments.empty() ? nullptr : command_named(app, arguments[0]);
     const std::string who = command == nullptr ? "hexweave" : "hexweave " + command->get_name();
