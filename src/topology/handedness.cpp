@@ -161,8 +161,14 @@ std::array<Vec3, count> positions(const Topology& topology,
 /// What to write so that a face whose lines i and j turn clockwise turns the other way.
 std::string face_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
     if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
+        const std::array<std::size_t, 4> order = order_round(positions(topology, face.corners));
+        if (order == std::array<std::size_t, 4>{0, 1, 2, 3}) {
+            return "its corners are in order, but its curved sides lead round it the other way: "
+                   "see "
+                   "'along' and 'through' of its edges";
+        }
         return fmt::format("list its corners counter-clockwise: [{}]",
-                           corner_list(*corners, order_round(positions(topology, face.corners))));
+                           corner_list(*corners, order));
     }
     if (face.side(Side::imin) == face.side(Side::imax)) {
         // To swap the two sides of a cut would change nothing.
