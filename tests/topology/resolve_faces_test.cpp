@@ -210,9 +210,10 @@ boundaries:
 )");
 }
 
-TEST_CASE("In the plane the way round closed edges follows from that round the others") {
-    const auto ring = [](const std::string& sides) {
-        return R"(
+namespace {
+
+std::string planar_ring(const std::string& sides) {
+    return R"(
 curves:
   inner: {circle: {center: [0, 0], radius: 1}}
   outer: {circle: {center: [0, 0], radius: 2}}
@@ -223,19 +224,23 @@ edges:
   seam: {from: a, to: b, cells: 8}
 faces:
   ring: {imin: seam, imax: seam, )" +
-               sides + R"(}
+           sides + R"(}
 boundaries:
   all: {type: BCWall, sides: [in, out]}
 )";
-    };
+}
+
+}  // namespace
+
+TEST_CASE("In the plane the way round closed edges follows from that round the others") {
     for (const char* written :
          {"jmin: in, jmax: out", "jmin: in, jmax: -out", "jmin: -in, jmax: out",
           "jmin: -in, jmax: -out", "jmin: out, jmax: in"}) {
         INFO(written);
-        CHECK(faults(ring(written)).empty());
+        CHECK(faults(planar_ring(written)).empty());
     }
     CHECK(
-        faults(ring("jmin: +in, jmax: -out")) ==
+        faults(planar_ring("jmin: +in, jmax: -out")) ==
         R"(11: error: the sides of face 'ring' cross, or run round it in opposite senses: no grid can lie between them
   hint: run the other way round there: jmin: -in
 )");
@@ -285,21 +290,7 @@ boundaries:
 }
 
 TEST_CASE("A left-handed ring runs the other way round, its cut as it is") {
-    const std::string text = R"(
-curves:
-  inner: {circle: {center: [0, 0], radius: 1}}
-  outer: {circle: {center: [0, 0], radius: 2}}
-vertices: {a: [1, 0], b: [2, 0]}
-edges:
-  in: {from: a, to: a, along: inner, cells: 16}
-  out: {from: b, to: b, along: outer}
-  seam: {from: a, to: b, cells: 8}
-faces:
-  ring: {imin: seam, imax: seam, jmin: +in, jmax: +out}
-boundaries:
-  all: {type: BCWall, sides: [in, out]}
-)";
-    CHECK(faults(text) ==
+    CHECK(faults(planar_ring("jmin: +in, jmax: +out")) ==
           R"(11: error: face 'ring' is left-handed: seen from +z, i to j turns clockwise
   hint: run i the other way round: jmin: -in, jmax: -out
 )");
