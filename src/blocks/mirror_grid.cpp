@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/coordinate.h"
 #include "core/interface_sides.h"
 
 namespace hexweave {
@@ -25,10 +26,6 @@ struct Half {
         return grid.zones[static_cast<std::size_t>(zone)].points.extent();
     }
 };
-
-double& coordinate(Vec3& p, int axis) {
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
 
 Vec3 mirrored(Vec3 p, const AxisPlane& plane) {
     double& across = coordinate(p, plane.axis);

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/assert.h"
+#include "core/coordinate.h"
 #include "core/parallel.h"
 #include "edges/spacing.h"
 #include "geometry/curve.h"
@@ -51,7 +52,7 @@ std::vector<double> own_fractions(const Edge& edge, const ArcLengthTable& table)
 /// Moves a point onto the edge's planes, and onto z = 0 in a planar topology.
 Vec3 on_planes(Vec3 point, const Edge& edge, bool planar) {
     for (const AxisPlane& plane : edge.planes) {
-        (plane.axis == 0 ? point.x : plane.axis == 1 ? point.y : point.z) = plane.value;
+        coordinate(point, plane.axis) = plane.value;
     }
     if (planar) point.z = 0;
     return point;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "faces/wall_frame.h"
+#include "quality/walls.h"
 
 namespace hexweave {
 
@@ -41,9 +42,9 @@ Field wall_nodes(const MultiblockGrid& grid, std::size_t zone, const WallFrame& 
     const auto a_axis = static_cast<std::size_t>(wall.axes[0]);
     const auto b_axis = static_cast<std::size_t>(wall.axes[1]);
     for (const BoundaryPatch& patch : grid.patches) {
-        const std::string& type = grid.families[static_cast<std::size_t>(patch.family)].type;
+        const Family& family = grid.families[static_cast<std::size_t>(patch.family)];
         const IndexBox& box = patch.box;
-        if (patch.zone != static_cast<int>(zone) || type.rfind("BCWall", 0) != 0) continue;
+        if (patch.zone != static_cast<int>(zone) || !is_wall(family)) continue;
         if (box.begin[normal] != at || box.end[normal] != at) continue;
         const int last_b = wall.is_line() ? 0 : box.end[b_axis];
         for (int b = wall.is_line() ? 0 : box.begin[b_axis]; b <= last_b; ++b) {

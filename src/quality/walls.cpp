@@ -144,10 +144,14 @@ WallMeasure measure_family(const MultiblockGrid& grid, std::size_t family,
 
 }  // namespace
 
+bool is_wall(const Family& family) {
+    return family.type.starts_with("BCWall");
+}
+
 std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, std::optional<int> zone) {
     std::vector<WallMeasure> walls;
     for (std::size_t f = 0; f < grid.families.size(); ++f) {
-        if (grid.families[f].type.rfind("BCWall", 0) == 0) {
+        if (is_wall(grid.families[f])) {
             walls.push_back(measure_family(grid, f, zone));
         }
     }

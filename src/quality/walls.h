@@ -29,7 +29,10 @@ struct WallMeasure {
     double greatest_height = 0;
 };
 
-/// One measure for every family whose type is BCWall or begins so; of one zone's patches alone
+/// Whether the type of a family is BCWall or begins so.
+bool is_wall(const Family& family);
+
+/// One measure for every family that is a wall; of one zone's patches alone
 /// where `zone` is given.
 std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, std::optional<int> zone = {});
 /// One for every family.

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/coordinate.h"
 #include "topology/boundaries.h"
 #include "topology/counting.h"
 #include "topology/sample.h"
@@ -238,9 +239,7 @@ namespace {
 bool lies_beside(const Topology& topology, const AxisPlane& plane) {
     constexpr int intervals = 32;
     Reach reach;
-    const auto enter = [&](const Vec3& p) {
-        include(reach, (plane.axis == 0 ? p.x : plane.axis == 1 ? p.y : p.z) - plane.value);
-    };
+    const auto enter = [&](Vec3 p) { include(reach, coordinate(p, plane.axis) - plane.value); };
     for (const Vertex& v : topology.vertices) enter(v.position);
     for (const Edge& e : topology.edges) {
         for (const Vec3& p : sample_edge(e, intervals)) enter(p);
