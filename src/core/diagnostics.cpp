@@ -147,6 +147,34 @@ void add_users(std::vector<Note>& notes, const Place& place) {
     }
 }
 
+/// A text with the names of a scope as they are written within it.
+std::string within_scope(std::string text, const std::string& scope) {
+    if (scope.empty()) return text;
+    const auto in_name = [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_' || c == '.';
+    };
+    std::size_t at = text.find(scope);
+    while (at != std::string::npos) {
+        if (at == 0 || !in_name(static_cast<unsigned char>(text[at - 1]))) {
+            text.erase(at, scope.size());
+        } else {
+            at += scope.size();
+        }
+        at = text.find(scope, at);
+    }
+    return text;
+}
+
+/// Tells of further users of the place of a diagnostic, for which it says the same.
+void add_other_users(Diagnostic& diagnostic, const std::vector<const Note*>& others) {
+    if (others.empty()) return;
+    const Note& first = *others.front();
+    const std::string more =
+        others.size() == 1 ? "" : " and " + std::to_string(others.size() - 1) + " more";
+    const std::string name = first.scope.substr(0, first.scope.size() - 1);
+    diagnostic.notes.push_back({first.place, "and in '" + name + "'" + more});
+}
+
 /// A text of bounded length: what is too long is shown with its beginning and its end.
 std::string without_middle(std::string text) {
     constexpr std::size_t longest = 1000;
@@ -196,7 +224,8 @@ Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
     Count& kind = count(diagnostic.severity);
     ++kind.found;
     diagnostic.message = without_middle(std::move(diagnostic.message));
-    diagnostic.hint = without_middle(std::move(diagnostic.hint));
+    diagnostic.hint =
+        without_middle(within_scope(std::move(diagnostic.hint), scope_at(diagnostic.place)));
     if (kind.kept == most_kept) return not_kept_ = std::move(diagnostic);
     ++kind.kept;
     return all_.emplace_back(std::move(diagnostic));
@@ -228,15 +257,29 @@ void Diagnostics::sort() {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
 
     all_.clear();
-    std::set<std::tuple<Key, Severity, std::string>> told;
+    std::map<std::tuple<Key, Severity, std::string>, std::size_t> told;
+    std::vector<std::vector<const Note*>> others;
     for (auto& [key, d] : keyed) {
-        if (told.emplace(key, d.severity, d.message).second) {
+        const std::string& scope = scope_at(d.place);
+        const auto [first, is_new] =
+            told.emplace(std::tuple(key, d.severity, within_scope(d.message, scope)), all_.size());
+        if (is_new) {
             all_.push_back(std::move(d));
-        } else {
-            --count(d.severity).found;
-            --count(d.severity).kept;
+            others.emplace_back();
+            continue;
+        }
+        --count(d.severity).found;
+        --count(d.severity).kept;
+        if (!scope.empty() && scope != scope_at(all_[first->second].place)) {
+            others[first->second].push_back(d.place.used_by.get());
         }
     }
+    for (std::size_t i = 0; i < all_.size(); ++i) add_other_users(all_[i], others[i]);
+}
+
+const std::string& scope_at(const Place& place) {
+    static const std::string none;
+    return place.used_by ? place.used_by->scope : none;
 }
 
 std::vector<Note> all_notes(const Diagnostic& diagnostic) {

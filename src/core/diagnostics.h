@@ -33,10 +33,13 @@ struct Place {
 
 enum class Severity { error, warning };
 
-/// A further place that explains a diagnostic: "first defined here".
+/// A further place that explains a diagnostic: "first defined here". As the user of a text that is
+/// used several times it also says what names written there begin with where they are known to all:
+/// "slat.".
 struct Note {
     Place place;
     std::string message;
+    std::string scope{};
 };
 
 struct Diagnostic {
@@ -50,7 +53,8 @@ struct Diagnostic {
 /// The diagnostics of one run, in the order in which they were found. A file of a million lines can
 /// be wrong in each: of warnings the first `most_kept` are kept and the others counted; an error
 /// more than as many ends the work, as an InputError with those before it. Of a message or hint
-/// longer than any of ours (it shows a text of the user's) the middle is left out.
+/// longer than any of ours (it shows a text of the user's) the middle is left out. A hint says what
+/// to write at its place: names are shortened to what they are there.
 class Diagnostics {
 public:
     static constexpr std::size_t most_kept = 200;
@@ -64,7 +68,8 @@ public:
     int warnings() const { return warnings_.found; }
     /// How many were found and not kept.
     int left_out() const { return errors() + warnings() - static_cast<int>(all_.size()); }
-    /// Sorted by line and column, file by file; equal messages at one place are kept once.
+    /// Sorted by line and column, file by file; equal messages at one place are kept once, also
+    /// where they differ by the scope alone: a note then tells of the other users.
     void sort();
 
 private:
@@ -97,6 +102,9 @@ std::vector<Note> all_notes(const Diagnostic& diagnostic);
 /// `wing.yaml:42:9: error: ...`, the line, a caret, the notes, the hint.
 std::string render(const Diagnostic& diagnostic);
 std::string render(const Diagnostics& diagnostics);
+
+/// What names written at a place begin with where they are known to all; mostly empty.
+const std::string& scope_at(const Place& place);
 
 /// The name among `known` nearest to `name` by edit distance (at most a third of its length, and
 /// 3), or an empty string; also where the known names are more than 20,000.

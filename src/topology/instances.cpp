@@ -237,8 +237,9 @@ void instantiate(Expansion& all, const YamlNode& instance) {
 
     const ScopePointer scope = scope_of(all, instance, what);
     YamlNode copy = *component;
-    mark_used_by(copy, std::make_shared<const Note>(
-                           Note{instance.key_place, fmt::format("in {}, written here", what)}));
+    mark_used_by(copy,
+                 std::make_shared<const Note>(Note{
+                     instance.key_place, fmt::format("in {}, written here", what), scope->prefix}));
     set_scope(copy, scope);
     all.found.names.insert(full);
     all.found.entries.push_back(

@@ -60,7 +60,8 @@ std::optional<int> NameTable::require(const Name& name, Diagnostics& diagnostics
     return index;
 }
 
-std::string NameTable::hint_for(const std::string& unknown) const {
+std::string NameTable::hint_for(const Name& name) const {
+    const std::string& unknown = name.value;
     const auto drawn = drawn_.find(canonical_name(unknown));
     if (drawn != drawn_.end()) {
         return fmt::format("the {} between these vertices is drawn as {}", kind_,
@@ -73,7 +74,10 @@ std::string NameTable::hint_for(const std::string& unknown) const {
     }
     std::vector<std::string> known;
     known.reserve(index_.size());
-    for (const auto& entry : index_) known.push_back(entry.first);
+    const std::string& scope = scope_at(name.place);
+    for (const auto& entry : index_) {
+        if (entry.first.compare(0, scope.size(), scope) == 0) known.push_back(entry.first);
+    }
     const std::string nearest = nearest_name(unknown, known);
     if (!nearest.empty()) return fmt::format("did you mean {}?", quoted(nearest));
     if (unknown.find('-') != std::string::npos) {
@@ -95,7 +99,7 @@ void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics) const
         return;
     }
     diagnostics.error(name.place, fmt::format("unknown {} {}", kind_, quoted(name.value)),
-                      hint_for(name.value));
+                      hint_for(name));
 }
 
 void NameTable::note_drawn(const std::string& made, const std::string& drawn) {

@@ -44,7 +44,7 @@ public:
     void renumber(const std::vector<int>& new_index);
 
 private:
-    std::string hint_for(const std::string& unknown) const;
+    std::string hint_for(const Name& name) const;
 
     std::string kind_;
     std::map<std::string, int> index_;

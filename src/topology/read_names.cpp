@@ -73,13 +73,18 @@ bool check_new_name(Reading& reading, const YamlNode& node, const std::string& k
                                   fmt::format("other YAML programs read it as true, false or "
                                               "null; '{}_' would do",
                                               name));
-    } else if (node.key.size() > longest) {
+    } else if (node.key.size() > longest && name == node.key) {
         reading.diagnostics.error(
             node.key_place,
             fmt::format("the name of this {} has {} characters; at most {} are allowed", kind,
                         node.key.size(), longest),
-            name == node.key ? "shorten it: files hold no longer one"
-                             : fmt::format("it is '{}' in full", shown(node.key)));
+            "shorten it: files hold no longer one");
+    } else if (node.key.size() > longest) {
+        reading.diagnostics.error(
+            node.key_place,
+            fmt::format("the name of this {} is '{}' in full; at most {} characters are allowed",
+                        kind, shown(node.key), longest),
+            "shorten it, or the name of the instance: files hold no longer one");
     } else {
         return true;
     }

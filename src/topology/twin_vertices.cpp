@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "topology/names.h"
@@ -13,13 +14,21 @@
 namespace hexweave {
 namespace {
 
+/// What makes them one: within an instance only its ports can.
+std::string remedy(const Vertex& first, const Vertex& second) {
+    if (scope_at(first.place) == scope_at(second.place)) {
+        return fmt::format("write {} for both", quoted(first.name));
+    }
+    return "'join' an instance here, by the 'ports' of its component";
+}
+
 void warn_of(const Vertex& first, const Vertex& second, Diagnostics& diagnostics) {
     Diagnostic& warning = diagnostics.warning(
         second.place,
         fmt::format("vertices {} and {} lie in the same place: edges and faces that meet there "
                     "under two names are not joined",
                     quoted(first.name), quoted(second.name)),
-        fmt::format("write {} for both, unless a gap without width is meant", quoted(first.name)));
+        remedy(first, second) + ", unless a gap without width is meant");
     warning.notes.push_back({first.place, fmt::format("{} is here", quoted(first.name))});
 }
 

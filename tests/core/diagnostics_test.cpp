@@ -57,6 +57,45 @@ TEST_CASE("a message on a text that is used from elsewhere says from where") {
           "  ^~~~\n");
 }
 
+TEST_CASE("what is wrong in a text that is used several times is told once") {
+    const std::string text =
+        "components:\n  section: {c: 0}\ninstances:\n  slat: {}\n  flap: {}\n  tab: {}\n";
+    const auto tell = [&](Diagnostics& diagnostics, int user_line, const std::string& user) {
+        Place where = place(text, 2, 13, 4);
+        where.used_by = std::make_shared<const Note>(
+            Note{place(text, user_line, 3, 4), "in '" + user + "', written here", user + "."});
+        diagnostics.error(where, "unknown curve '" + user + ".c', no " + user + "x.c",
+                          "did you mean '" + user + ".d'?");
+    };
+    Diagnostics diagnostics;
+    tell(diagnostics, 4, "slat");
+    tell(diagnostics, 5, "flap");
+    diagnostics.sort();
+    CHECK(diagnostics.errors() == 2);  // slatx.c and flapx.c are other names
+    CHECK(diagnostics.all().front().hint == "did you mean 'd'?");
+
+    Diagnostics same;
+    for (const auto& [line, user] :
+         {std::pair(4, "slat"), std::pair(5, "flap"), std::pair(6, "tab")}) {
+        Place where = place(text, 2, 13, 4);
+        where.used_by = std::make_shared<const Note>(
+            Note{place(text, line, 3, 4), std::string("in '") + user + "', written here",
+                 std::string(user) + "."});
+        same.error(where, std::string("edge '") + user + ".a-" + user + ".b' is lost");
+    }
+    same.sort();
+    CHECK(render(same) ==
+          "wing.yaml:2:13: error: edge 'slat.a-slat.b' is lost\n"
+          "  section: {c: 0}\n"
+          "            ^~~~\n"
+          "wing.yaml:4:3: note: in 'slat', written here\n"
+          "  slat: {}\n"
+          "  ^~~~\n"
+          "wing.yaml:5:3: note: and in 'flap' and 1 more\n"
+          "  flap: {}\n"
+          "  ^~~~\n");
+}
+
 TEST_CASE("of very many warnings the first are kept, and very many errors end the work") {
     Diagnostics diagnostics;
     for (int n = 1; n <= 1000; ++n) {

@@ -283,3 +283,22 @@ boundaries:
 )");
     CHECK(faults(halves("[1.00001, 0]")).empty());
 }
+
+TEST_CASE("vertices of instances in one place are to be joined by ports") {
+    const std::string text = faults(R"(hexweave: 1
+components:
+  square:
+    parameters: {x: 0}
+    vertices: {a: [x, 0], b: [x + 1, 0], c: [x + 1, 1], d: [x, 1]}
+    edges:
+      ab: {from: a, to: b, cells: 3}
+      bc: {from: b, to: c, cells: 3}
+    faces: {f: {corners: [a, b, c, d]}}
+    boundaries: {w: {type: BCWall, sides: [ab, bc, c-d, a-d]}}
+instances:
+  left: {of: square}
+  right: {of: square, set: {x: 1}}
+)");
+    CHECK(text.find("hint: 'join' an instance here, by the 'ports' of its component, unless a gap "
+                    "without width is meant") != std::string::npos);
+}
