@@ -9,6 +9,8 @@
 #include <map>
 #include <vector>
 
+#include "io/text_parts.h"
+
 namespace hexweave {
 namespace {
 
@@ -54,7 +56,7 @@ Line line_of(const ZoneComparison& zone, int axes) {
             std::to_string(d.beyond),
             size_text(d.in_cells.size),
             any ? node_text(d.in_cells.node, axes) : "-",
-            any ? fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z) : "-",
+            any ? place_text(p) : "-",
             size_text(d.in_length.size)};
 }
 
@@ -85,13 +87,9 @@ std::string others_text(const char* which, const std::vector<OtherNodes>& others
     return text;
 }
 
-std::string counted(std::size_t number, const std::string& one) {
-    const bool ends_in_y = one.back() == 'y';
-    if (number == 1 || one == "dimensions" || one == "units") {
-        return fmt::format("{} {}", number, one);
-    }
-    return fmt::format("{} {}", number,
-                       ends_in_y ? one.substr(0, one.size() - 1) + "ies" : one + "s");
+std::string plural_of(const std::string& kind) {
+    if (kind == "dimensions" || kind == "units") return kind;
+    return kind.back() == 'y' ? kind.substr(0, kind.size() - 1) + "ies" : kind + "s";
 }
 
 /// "2 boundaries, 1 interface".
@@ -103,7 +101,7 @@ std::string kinds_text(const std::vector<Difference>& differences) {
     }
     std::string text;
     for (const std::string& kind : kinds) {
-        text += (text.empty() ? "" : ", ") + counted(counts[kind], kind);
+        text += (text.empty() ? "" : ", ") + counted(counts[kind], kind, plural_of(kind));
     }
     return text;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "io/text_parts.h"
+
 namespace hexweave {
 
 namespace {
@@ -24,9 +26,6 @@ struct Row {
     }
 };
 
-std::string counted(std::size_t number, const std::string& what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
 std::string lines(int number) {
     return counted(static_cast<std::size_t>(number), "line");
 }

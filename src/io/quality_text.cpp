@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "io/text_parts.h"
+
 namespace hexweave {
 
 namespace {
@@ -135,10 +137,9 @@ std::string worst_table(const GridQuality& q) {
         const auto zone = std::find_if(q.zones.begin(), q.zones.end(), [&](const ZoneQuality& z) {
             return z.measure.name == w.zone;
         });
-        text +=
-            fmt::format("{:<{}} {:>18} {:>10.6f} {:>11.3e} {:>9.4f}  ({:.6g}, {:.6g}, {:.6g})\n",
-                        w.zone, width, cell_text(w.cell, zone->measure.extent), w.scaled_jacobian,
-                        w.volume, w.skewness, w.place.x, w.place.y, w.place.z);
+        text += fmt::format("{:<{}} {:>18} {:>10.6f} {:>11.3e} {:>9.4f}  {}\n", w.zone, width,
+                            cell_text(w.cell, zone->measure.extent), w.scaled_jacobian, w.volume,
+                            w.skewness, place_text(w.place));
     }
     return text;
 }
