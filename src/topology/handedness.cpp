@@ -6,14 +6,18 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "geometry/surface_patch.h"
 #include "geometry/surface_set.h"
 #include "topology/corner_order.h"
+#include "topology/crossing_faults.h"
+#include "topology/crossings.h"
 #include "topology/face_frame.h"
 #include "topology/outline.h"
+#include "topology/planar_faces.h"
 #include "topology/sample.h"
 
 namespace hexweave {
@@ -125,85 +129,35 @@ double outward_sign(Side side) {
     return is_max(side) == (axis_of(side) != 1) ? 1 : -1;
 }
 
-EdgeLookup edges_of(const Topology& topology) {
-    return [&topology](int index) -> const Edge& {
-        return topology.edges[static_cast<std::size_t>(index)];
-    };
-}
-
-std::string edges_text(const Topology& topology, const std::vector<EdgeUse>& side) {
-    std::vector<std::string> names;
-    names.reserve(side.size());
-    for (const EdgeUse& use : side) {
-        names.push_back(topology.edges[static_cast<std::size_t>(use.edge)].name);
-    }
-    return listed(names);
-}
-
-template <std::size_t count>
-std::string corner_list(const std::array<Name, count>& corners,
-                        const std::array<std::size_t, count>& order) {
-    std::string text;
-    for (const std::size_t n : order) {
-        text += fmt::format("{}{}", text.empty() ? "" : ", ", corners[n].value);
-    }
-    return text;
-}
-
-template <std::size_t count>
-std::array<Vec3, count> positions(const Topology& topology,
-                                  const std::array<int, count>& vertices) {
-    std::array<Vec3, count> points;
-    for (std::size_t n = 0; n < count; ++n) points.at(n) = position(topology, vertices.at(n));
-    return points;
-}
-
-/// What to write so that a face whose lines i and j turn clockwise turns the other way.
-std::string face_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
-    if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
-        const std::array<std::size_t, 4> order = order_round(positions(topology, face.corners));
-        if (order == std::array<std::size_t, 4>{0, 1, 2, 3}) {
-            return "its corners are in order, but its curved sides lead round it the other way: "
-                   "see "
-                   "'along' and 'through' of its edges";
+std::set<int> edges_of_sides(const Network& network, const Block& block) {
+    std::set<int> edges;
+    for (const BlockSide& faces : block.sides) {
+        for (const FaceUse& face : faces.faces) {
+            for (const auto& side : network.face(face.face).sides) {
+                for (const EdgeUse& use : side) edges.insert(use.edge);
+            }
         }
-        return fmt::format("list its corners counter-clockwise: [{}]",
-                           corner_list(*corners, order));
     }
-    if (face.side(Side::imin) == face.side(Side::imax)) {
-        // To swap the two sides of a cut would change nothing.
-        const auto written = [&](Side side) {
-            return fmt::format("{}: {}", side_name(side),
-                               chain_text(backwards(face.side(side)), edges_of(topology)));
-        };
-        return fmt::format("run i the other way round: {}, {}", written(Side::jmin),
-                           written(Side::jmax));
-    }
-    return fmt::format("swap its sides imin ({}) and imax ({}), with what is asked of them",
-                       edges_text(topology, face.side(Side::imin)),
-                       edges_text(topology, face.side(Side::imax)));
+    return edges;
 }
 
-/// What to write so that the sides of a face do not cross; what to look at where that is not found.
-std::string crossing_remedy(const Topology& topology, const Face& face, const FaceEntry& entry) {
-    if (const auto* corners = std::get_if<std::array<Name, 4>>(&entry.shape)) {
-        return fmt::format("list its corners going round it: [{}]",
-                           corner_list(*corners, order_round(positions(topology, face.corners))));
-    }
-    if (const auto way = reroute(face.sides, edges_of(topology))) {
-        return fmt::format("run the other way round there: {}: {}",
-                           side_name(static_cast<Side>(way->side)),
-                           chain_text(way->uses, edges_of(topology)));
-    }
-    return "jmin and jmax lead from imin to imax, side by side; so do imin and imax from jmin to "
-           "jmax";
+/// The order in which the corners of a block are to be listed; empty where they are not listed, or
+/// are so.
+std::string other_order(const Topology& topology, const Block& block, const BlockEntry& entry) {
+    const auto* corners = std::get_if<std::array<Name, 8>>(&entry.shape);
+    if (corners == nullptr) return {};
+    const auto order = order_of_hexahedron(positions(topology, block.corners));
+    if (is_as_listed(order)) return {};
+    return fmt::format("four corners round one side, then those above them in the same order: [{}]",
+                       corner_list(*corners, order));
 }
 
-std::string block_remedy(const Topology& topology, const Block& block, const BlockEntry& entry) {
-    if (const auto* corners = std::get_if<std::array<Name, 8>>(&entry.shape)) {
-        return fmt::format(
-            "four corners round one side, then those above them in the same order: [{}]",
-            corner_list(*corners, order_of_hexahedron(positions(topology, block.corners))));
+/// What to write so that a left-handed block is right-handed.
+std::string block_remedy(const Network& network, const Block& block, const BlockEntry& entry) {
+    const Topology& topology = network.topology;
+    if (std::holds_alternative<std::array<Name, 8>>(entry.shape)) {
+        const std::string order = other_order(topology, block, entry);
+        return order.empty() ? corners_in_order(network, edges_of_sides(network, block)) : order;
     }
     const auto name = [&](Side side) {
         std::vector<std::string> names;
@@ -220,86 +174,85 @@ std::string block_remedy(const Topology& topology, const Block& block, const Blo
                        side_name(high), name(high));
 }
 
-/// Tells a face that is not right-handed; false where it encloses nothing.
-bool check_face(const Network& network, std::size_t index, Diagnostics& diagnostics) {
-    const Topology& topology = network.topology;
-    const Face& face = topology.faces[index];
-    const FaceEntry* const entry =
-        network.face_entries[index];  // null for a made face, which is sound
-    const std::optional<int> turns = outline_turns(face.sides, edges_of(topology));
-    if (turns && *turns != 1 && *turns != -1) {
-        diagnostics.error(face.place,
-                          fmt::format("the sides of face {} cross, or run round it in opposite "
-                                      "senses: no grid can lie between them",
-                                      quoted(face.name)),
-                          crossing_remedy(topology, face, *entry));
-        return false;
+/// The size of a block, from a few points of its edges.
+double size_of(const Network& network, const Block& block) {
+    Points points;
+    for (const int edge : edges_of_sides(network, block)) {
+        const Points own = sample_edge(network.edge(edge), 8);
+        points.insert(points.end(), own.begin(), own.end());
     }
-    double size = 0;
-    for (const auto& side : face.sides) {
-        for (const EdgeUse& use : side) size += network.edge(use.edge).length;
-    }
-    const double area = signed_area(topology, face);
-    if (area > nothing * size * size) return true;
-    if (area >= -nothing * size * size) {
-        diagnostics.error(face.place, fmt::format("face {} encloses no area", quoted(face.name)),
-                          "its sides lie on top of each other: name others");
-        return false;
-    }
-    diagnostics.error(face.place,
-                      fmt::format("face {} is left-handed: seen from +z, i to j turns clockwise",
-                                  quoted(face.name)),
-                      face_remedy(topology, face, *entry));
-    return true;
+    return box_around(points).diagonal();
 }
 
-bool check_block(const Network& network, std::size_t index, Diagnostics& diagnostics) {
+/// Faces by their index, with two of their edges that cross, where they do.
+using FaceCrossings = std::vector<std::optional<Crossing>>;
+
+FaceCrossings crossings_of(const Topology& topology) {
+    FaceCrossings crossings;
+    for (const Face& face : topology.faces) {
+        crossings.push_back(find_crossing(face.sides, edges_of(topology)));
+    }
+    return crossings;
+}
+
+std::optional<std::size_t> crossed_face(const Block& block, const FaceCrossings& crossings) {
+    for (const BlockSide& side : block.sides) {
+        for (const FaceUse& use : side.faces) {
+            const auto face = static_cast<std::size_t>(use.face);
+            if (crossings[face]) return face;
+        }
+    }
+    return std::nullopt;
+}
+
+bool are_straight(const Network& network, const Crossing& crossing) {
+    constexpr double round_off = 1e-9;
+    const auto straight = [&](const Edge& edge) {
+        return edge.length <= (1 + round_off) * distance(position(network.topology, edge.start),
+                                                         position(network.topology, edge.end));
+    };
+    return straight(network.edge(crossing.first)) && straight(network.edge(crossing.second));
+}
+
+bool check_block(CrossingFaults& faults, std::size_t index, const FaceCrossings& crossings) {
+    const Network& network = faults.network;
+    Diagnostics& diagnostics = faults.diagnostics;
     const Topology& topology = network.topology;
     const Block& block = topology.blocks[index];
     const BlockEntry& entry = *network.block_entries[index];
-    Points corners;
-    for (const int corner : block.corners) corners.push_back(position(topology, corner));
-    for (const BlockSide& faces : block.sides) {
-        for (const FaceUse& use : faces.faces) {
-            for (const auto& side : network.face(use.face).sides) {
-                const Points points = sample_side(topology.edges, side, 8);
-                corners.insert(corners.end(), points.begin(), points.end());
-            }
-        }
-    }
-    const double size = box_around(corners).diagonal();
+    const std::string order = other_order(topology, block, entry);
+    const double size = size_of(network, block);
+    const double least = nothing * size * size * size;
     const double volume = signed_volume(topology, block);
-    if (volume > nothing * size * size * size) return true;
-    if (volume >= -nothing * size * size * size) {
-        diagnostics.error(block.place,
-                          fmt::format("block {} encloses no volume", quoted(block.name)),
-                          std::holds_alternative<std::array<Name, 8>>(entry.shape)
-                              ? block_remedy(topology, block, entry)
-                              : "its sides lie on top of each other: name others");
+    const std::optional<std::size_t> crossed = crossed_face(block, crossings);
+    if (crossed && (volume > least || order.empty())) {
+        const Crossing& crossing = *crossings[*crossed];
+        tell_crossing(faults, topology.faces[*crossed], crossing,
+                      are_straight(network, crossing) ? order : std::string());
+        return false;
+    }
+    if (volume > least) return true;
+    if (volume >= -least) {
+        diagnostics.error(
+            block.place, fmt::format("block {} encloses no volume", quoted(block.name)),
+            order.empty() ? "its sides lie on top of each other: name others" : order);
         return false;
     }
     diagnostics.error(block.place, fmt::format("block {} is left-handed", quoted(block.name)),
-                      block_remedy(topology, block, entry));
+                      block_remedy(network, block, entry));
     return true;
 }
 
-}  // namespace
-
-double signed_area(const Topology& topology, const Face& face) {
-    const Vec3 origin = position(topology, face.corners[0]);
-    const std::array<Points, 4> sides = sampled(topology, face.sides, origin);
-    double twice = 0;
-    const auto add = [&](const Points& points, double sign) {
-        for (std::size_t n = 1; n < points.size(); ++n) {
-            twice += sign * cross(points[n - 1], points[n]).z;
-        }
-    };
-    add(sides[2], 1);
-    add(sides[1], 1);
-    add(sides[3], -1);
-    add(sides[0], -1);
-    return twice / 2;
+/// Tells a face of a grid of faces that cannot hold a grid.
+bool check_face(CrossingFaults& faults, std::size_t index,
+                const std::optional<Crossing>& crossing) {
+    const Topology& topology = faults.network.topology;
+    if (topology.planar) return check_planar_face(faults, index, crossing);
+    if (crossing) tell_crossing(faults, topology.faces[index], *crossing, "");
+    return !crossing;
 }
+
+}  // namespace
 
 double signed_volume(const Topology& topology, const Block& block) {
     const Vec3 origin = position(topology, block.corners[0]);
@@ -314,14 +267,14 @@ double signed_volume(const Topology& topology, const Block& block) {
 
 bool check_handedness(const Network& network, Diagnostics& diagnostics) {
     const Topology& topology = network.topology;
+    const FaceCrossings crossings = crossings_of(topology);
+    CrossingFaults faults{network, diagnostics};
     bool enclosing = true;
-    if (!network.three_dimensional && topology.planar) {
-        for (std::size_t f = 0; f < topology.faces.size(); ++f) {
-            enclosing = check_face(network, f, diagnostics) && enclosing;
-        }
+    for (std::size_t f = 0; !network.three_dimensional && f < topology.faces.size(); ++f) {
+        enclosing = check_face(faults, f, crossings[f]) && enclosing;
     }
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-        enclosing = check_block(network, b, diagnostics) && enclosing;
+        enclosing = check_block(faults, b, crossings) && enclosing;
     }
     return enclosing;
 }

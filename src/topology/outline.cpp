@@ -60,6 +60,12 @@ int beginning(const EdgeUse& use, const EdgeLookup& edge) {
 
 }  // namespace
 
+EdgeLookup edges_of(const Topology& topology) {
+    return [&topology](int index) -> const Edge& {
+        return topology.edges[static_cast<std::size_t>(index)];
+    };
+}
+
 std::optional<int> outline_turns(const FrameSides& sides, const EdgeLookup& edge) {
     // What two samplings agree on is no matter of the sampling.
     const std::optional<int> coarse = turns_of(outline(sides, edge, 50));

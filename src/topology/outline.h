@@ -14,6 +14,8 @@ namespace hexweave {
 
 /// Edges by their index, finished or in the making.
 using EdgeLookup = std::function<const Edge&(int)>;
+/// Those of a topology, which must outlive the result.
+EdgeLookup edges_of(const Topology& topology);
 
 /// How often the outline of a planar face turns while it is walked once, jmin and imax forwards,
 /// jmax and imin backwards. The outline of whatever is the image of a square without a fold turns

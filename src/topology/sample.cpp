@@ -8,13 +8,9 @@
 
 namespace hexweave {
 
-namespace {
-
 Vec3 point_at(const Edge& edge, double fraction) {
     return evaluate(*edge.curve, edge.from + (edge.to - edge.from) * fraction);
 }
-
-}  // namespace
 
 std::vector<Vec3> sample_edge(const Edge& edge, int intervals) {
     std::vector<Vec3> points;

@@ -9,6 +9,8 @@
 
 namespace hexweave {
 
+/// The point at a fraction of the edge's range of its curve's parameter, along its direction.
+Vec3 point_at(const Edge& edge, double fraction);
 /// `intervals` + 1 points at equal steps of the curve's parameter, along the edge's direction.
 std::vector<Vec3> sample_edge(const Edge& edge, int intervals);
 /// `intervals` + 1 points along a side of one or several edges, each edge with a part of the

@@ -34,6 +34,18 @@ TEST_CASE("every starter config runs sound, without a warning, and can be drawn"
     }
 }
 
+TEST_CASE("a far field that cuts the wing of the starter config is told before anything is made") {
+    const Scratch scratch;
+    REQUIRE(scratch.hexweave("init my_wing --template wing").exit_code == 0);
+    CHECK(scratch.hexweave("check my_wing.yaml --set root.far=8").exit_code == 0);
+    const Finished check =
+        scratch.hexweave("check my_wing.yaml --set root.far=0.5 --set tip.far=0.5");
+    INFO(check.err);
+    CHECK(check.exit_code == 2);
+    CHECK(check.err.find("edges 'tip.suction' and 'tip.front_up' of face 'tip_up' cross at [") !=
+          std::string::npos);
+}
+
 TEST_CASE("init never replaces what is there") {
     const Scratch scratch;
     scratch.write("mine.yaml", "precious");

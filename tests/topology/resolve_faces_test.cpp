@@ -284,7 +284,8 @@ boundaries:
 )";
     CHECK(
         faults(bow_tie) ==
-        R"(7: error: the sides of face 'f' cross, or run round it in opposite senses: no grid can lie between them
+        R"(7: error: edges 'bd' and 'a-c' of face 'f' cross at [0.5, 0.5]: no grid can lie between its sides
+  5: 'bd' is drawn here
   hint: list its corners going round it: [a, b, c, d]
 )");
 }
