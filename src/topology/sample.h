@@ -2,6 +2,7 @@
 // A few points of an edge or a side: enough to tell signs and sizes by, not a grid.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/vec3.h"
@@ -26,5 +27,16 @@ struct Box {
     double diagonal() const { return distance(low, high); }
 };
 Box box_around(const std::vector<Vec3>& points);
+
+/// How far a grid reaches to either side of an axis or a plane.
+struct Reach {
+    double low = 0;
+    double high = 0;
+};
+
+inline void include(Reach& reach, double off) {
+    reach.low = std::min(reach.low, off);
+    reach.high = std::max(reach.high, off);
+}
 
 }  // namespace hexweave

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,6 +16,7 @@
 #include "core/coordinate.h"
 #include "topology/boundaries.h"
 #include "topology/counting.h"
+#include "topology/revolution.h"
 #include "topology/sample.h"
 #include "topology/spacing_fit.h"
 #include "topology/text.h"
@@ -25,71 +25,7 @@ namespace hexweave {
 
 namespace {
 
-constexpr double near_to = 1e-9;  // an axis or a plane, of the grid's size
-
-/// The coordinate in the plane that tells the distance from an axis along x or y.
-double& radial(Vec3& p, const RotationEntry& turn) {
-    return turn.axis.x != 0 ? p.y : p.x;
-}
-
-double off_axis(Vec3 p, const RotationEntry& turn) {
-    return radial(p, turn) - (turn.axis.x != 0 ? turn.center.y : turn.center.x);
-}
-
-/// Where the grid lies, as seen from the axis.
-struct Reach {
-    double low = 0;
-    double high = 0;
-};
-
-void include(Reach& reach, double off) {
-    reach.low = std::min(reach.low, off);
-    reach.high = std::max(reach.high, off);
-}
-
-/// Moves what is on the axis exactly there; tells how far the grid reaches to either side.
-Reach collapse_at_axis(Network& network, const RotationEntry& turn) {
-    constexpr int intervals = 32;
-    Topology& topology = network.topology;
-    const double near = near_to * topology.size;
-    const int axis = turn.axis.x != 0 ? 1 : 0;
-    const double value = axis == 1 ? turn.center.y : turn.center.x;
-    Reach all;
-    for (Vertex& vertex : topology.vertices) {
-        const double off = off_axis(vertex.position, turn);
-        include(all, off);
-        if (std::abs(off) <= near) radial(vertex.position, turn) = value;
-    }
-    for (Edge& edge : topology.edges) {
-        Reach own;
-        for (const Vec3& p : sample_edge(edge, intervals)) include(own, off_axis(p, turn));
-        include(all, own.low);
-        include(all, own.high);
-        edge.on_axis = own.low >= -near && own.high <= near;
-        if (edge.on_axis) edge.planes.push_back({axis, value});
-    }
-    straighten(network);
-    return all;
-}
-
-Sweep revolution(Network& network, const SweepEntry& entry, const RotationEntry& turn,
-                 Diagnostics& diagnostics) {
-    const Reach reach = collapse_at_axis(network, turn);
-    const double near = near_to * network.topology.size;
-    if (reach.low < -near && reach.high > near) {
-        diagnostics.error(entry.place, "the grid lies on both sides of the axis of 'revolve'",
-                          fmt::format("it reaches {} to the one side and {} to the other: draw the "
-                                      "one side only",
-                                      number_text(-reach.low), number_text(reach.high)));
-    }
-    Sweep sweep;
-    sweep.whole = {turn.center, turn.angle * turn.axis, {}};
-    // A turn about x moves points of greater y towards +z, one about y those of smaller x.
-    const double sense = turn.axis.x != 0 ? turn.axis.x : -turn.axis.y;
-    sweep.reversed = sense * turn.angle * (reach.low + reach.high) < 0;
-    sweep.full_turn = std::abs(std::abs(turn.angle) / (2 * std::numbers::pi) - 1) < 1e-12;
-    return sweep;
-}
+constexpr double near_to = 1e-9;  // a plane, of the grid's size
 
 Sweep extrusion(const SweepEntry& entry, const Vec3& along, Diagnostics& diagnostics) {
     Sweep sweep;
@@ -196,6 +132,7 @@ void place_sweep(Network& network, const Case& c, const CountRules& rules,
     Sweep sweep = turn != nullptr ? revolution(network, entry, *turn, diagnostics)
                                   : extrusion(entry, std::get<Vec3>(entry.map), diagnostics);
     count_layers(network, entry, what, rules, sweep, diagnostics);
+    check_turn(sweep, entry, diagnostics);
     sweep.joined = entry.periodic || sweep.full_turn;
     check_periodic(network, sweep, diagnostics);
     network.topology.sweep = sweep;

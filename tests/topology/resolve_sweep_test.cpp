@@ -58,6 +58,33 @@ TEST_CASE("a sweep needs a planar grid on one side of its axis") {
     CHECK_THAT(faults(text), Contains("'extrude' needs a planar grid: faces in z = 0, no blocks"));
 }
 
+TEST_CASE("no layer of a revolution turns by 180 degrees") {
+    const auto turned = [](const std::string& angle, int cells) {
+        return faults(square("revolve: {axis: [1, 0, 0], center: [0, -1], periodic: true, angle: " +
+                                 angle + ", cells: " + std::to_string(cells) + "}",
+                             low));
+    };
+    CHECK(
+        turned("2 * pi", 2) ==
+        R"(12: error: each layer of 'revolve' turns by 180 degrees: no cell can turn by 180 or more
+  hint: give it at least 3 'cells'; grid lines that turn by 10 degrees from layer to layer need 36
+)");
+    CHECK_THAT(turned("2 * pi", 1), Contains("turns by 360 degrees"));
+    CHECK_THAT(turned("-pi", 1),
+               Contains("turns by 180 degrees") && Contains("give it at least 2 'cells'"));
+    CHECK(turned("2 * pi", 3).empty());
+    CHECK(turned("-pi", 2).empty());
+    CHECK(turned("0.99 * pi", 1).empty());
+}
+
+TEST_CASE("a full turn written with too few digits is told") {
+    CHECK(faults(square("revolve: {axis: [1, 0, 0], center: [0, -1], angle: 6.283185, cells: 8}",
+                        low)) ==
+          R"(12: error: 'revolve' turns by 3.0718e-07 radians less than a full turn
+  hint: write 'angle: 2 * pi': the last plane is then the first one
+)");
+}
+
 TEST_CASE("the ends of a sweep have boundaries, or are told to have none") {
     CHECK(faults(square("extrude: {along: [0, 0, 1]}", low)) ==
           "12: warning: no boundary is said for the ends of the sweep\n"
