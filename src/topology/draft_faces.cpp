@@ -57,11 +57,13 @@ std::optional<std::array<std::vector<EdgeOfSide>, 4>> find_edges(Draft& draft,
     return sides;
 }
 
-Note runs(Draft& draft, int edge) {
+/// How an edge is drawn that is used in one direction.
+Note runs(Draft& draft, int edge, bool reversed) {
     const Edge& e = draft.edge(edge).edge;
     return {e.place,
-            fmt::format("{} runs from {} to {}", quoted(e.name), quoted(draft.vertex_name(e.start)),
-                        quoted(draft.vertex_name(e.end)))};
+            fmt::format("{} runs from {} to {}{}", quoted(e.name),
+                        quoted(draft.vertex_name(e.start)), quoted(draft.vertex_name(e.end)),
+                        reversed ? "; here it is run through backwards" : "")};
 }
 
 /// Reports the first edge of a side that does not begin where the one before ends.
@@ -87,8 +89,8 @@ void report_broken_chain(Draft& draft, const DraftFace& face, Side side,
                     quoted(draft.vertex_name(after.first(after.reversed.value_or(false))))),
         fmt::format("list the edges of a side in the order of increasing {}",
                     axis_of(side) == 0 ? "j" : "i"));
-    error.notes.push_back(runs(draft, before.edge));
-    error.notes.push_back(runs(draft, after.edge));
+    error.notes.push_back(runs(draft, before.edge, chain.uses.back().reversed));
+    error.notes.push_back(runs(draft, after.edge, after.reversed.value_or(false)));
 }
 
 /// The vertices at which the two sides of a corner end.
@@ -167,7 +169,8 @@ void report_open_loop(Draft& draft, const DraftFace& face, const FaceLoop& loop,
     for (const Side side : {first.along_j, first.along_i}) {
         const SideChain& chain = loop[static_cast<std::size_t>(side)];
         const bool at_end = side == first.along_j ? first.at_end_of_j_side : first.at_end_of_i_side;
-        error.notes.push_back(runs(draft, (at_end ? chain.uses.back() : chain.uses.front()).edge));
+        const EdgeUse& use = at_end ? chain.uses.back() : chain.uses.front();
+        error.notes.push_back(runs(draft, use.edge, use.reversed));
     }
 }
 

@@ -96,7 +96,7 @@ faces:
 12: error: face 'f' is open: 'ad' (imin) starts at 'a', but 'be' (jmin) starts at 'e'
   12: also: 'ef' (imax) starts at 'e', but 'ab' (jmin) ends at 'a'
   7: 'ad' runs from 'a' to 'd'
-  8: 'be' runs from 'b' to 'e'
+  8: 'be' runs from 'b' to 'e'; here it is run through backwards
   hint: imin and imax lead from jmin to jmax; jmin and jmax lead from imin to imax
 )");
 }
@@ -121,7 +121,7 @@ faces:
 12: error: face 'f' is open: 'ad' (imin) starts at 'a', but 'ab' (jmin) starts at 'b'
   12: also: 'bc' (imax) starts at 'b', but 'ab' (jmin) ends at 'a'
   7: 'ad' runs from 'a' to 'd'
-  4: 'ab' runs from 'a' to 'b'
+  4: 'ab' runs from 'a' to 'b'; here it is run through backwards
   hint: imin and imax lead from jmin to jmax; jmin and jmax lead from imin to imax
 )");
 }
