@@ -137,7 +137,8 @@ void join_faces(Draft& draft);
 void join_corner_blocks(Draft& draft);
 /// Orientations of the faces of every block given by its faces.
 void join_blocks(Draft& draft);
-/// Warns of what nothing uses.
+/// Warns of what nothing uses; not of what is faulty, nor of a kind of which a name is unknown:
+/// that one may be meant.
 void warn_unused(Draft& draft);
 /// Keeps what is sound and part of the grid.
 Network sound_part(Draft& draft);

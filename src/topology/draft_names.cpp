@@ -31,7 +31,7 @@ std::vector<std::string> names_of(const std::vector<Entry>& entries) {
 std::array<NamedKind, 5> kinds_of(Draft& draft) {
     return {{{"curves", "a curve", draft.curve_names},
              {"surfaces", "a surface", draft.surface_names},
-             {"vertices", "a vertex", draft.vertex_names},
+             {"vertices", a_vertex, draft.vertex_names},
              {"edges", "an edge", draft.edge_names},
              {"faces", "a face", draft.face_names}}};
 }

@@ -110,7 +110,7 @@ std::optional<int> find_kind(const Network& network, const GridSides& sides, con
     } else if (!name.value.empty() &&
                (network.intact || name.value.find('-') == std::string::npos)) {
         // Where something is at fault, an edge or a face that it would make is not.
-        (of_faces ? network.face_names : network.edge_names).report_unknown(name, diagnostics);
+        (of_faces ? network.face_names : network.edge_names).tell_unknown(name, diagnostics);
     }
     return std::nullopt;
 }

@@ -54,10 +54,18 @@ std::optional<int> NameTable::find(const std::string& name) const {
     return found->second;
 }
 
-std::optional<int> NameTable::require(const Name& name, Diagnostics& diagnostics) const {
+std::optional<int> NameTable::require(const Name& name, Diagnostics& diagnostics) {
     const std::optional<int> index = find(name.value);
     if (!index && !name.value.empty()) report_unknown(name, diagnostics);
     return index;
+}
+
+bool NameTable::is_made_of_vertices(const std::string& name) const {
+    const std::vector<std::string> parts = split_at_hyphens(name);
+    return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [&](const std::string& p) {
+               const auto other = others_.find(p);
+               return other != others_.end() && other->second == a_vertex;
+           });
 }
 
 std::string NameTable::hint_for(const Name& name) const {
@@ -72,6 +80,11 @@ std::string NameTable::hint_for(const Name& name) const {
         return fmt::format("{} is {}; the name of {} {} is wanted here", quoted(unknown),
                            other->second, kind_ == "edge" ? "an" : "a", kind_);
     }
+    const std::string made_where = fmt::format(
+        "a name of corners is made only where a face or block given by its 'corners' "
+        "needs it; else draw it under '{}s'",
+        kind_);
+    if (is_made_of_vertices(unknown)) return made_where;
     std::vector<std::string> known;
     known.reserve(index_.size());
     const std::string& scope = scope_at(name.place);
@@ -80,18 +93,18 @@ std::string NameTable::hint_for(const Name& name) const {
     }
     const std::string nearest = nearest_name(unknown, known);
     if (!nearest.empty()) return fmt::format("did you mean {}?", quoted(nearest));
-    if (unknown.find('-') != std::string::npos) {
-        return fmt::format(
-            "a name of corners is made only where a face or block given by its 'corners' needs "
-            "it; else draw it under '{}s'",
-            kind_);
-    }
+    if (unknown.find('-') != std::string::npos) return made_where;
     constexpr std::size_t few = 8;
     if (known.empty() || known.size() > few) return {};
     return fmt::format("known: {}", listed(known, few));
 }
 
-void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics) const {
+void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics) {
+    unknown_asked_ = true;
+    tell_unknown(name, diagnostics);
+}
+
+void NameTable::tell_unknown(const Name& name, Diagnostics& diagnostics) const {
     if (incomplete_) return;
     const auto left_out = left_out_.find(name.value);
     if (left_out != left_out_.end()) {

@@ -18,6 +18,9 @@ namespace hexweave {
 inline constexpr int dropped_unused = -1;  ///< no part of the grid
 inline constexpr int dropped_faulty = -2;  ///< at fault, and reported as such
 
+/// What a vertex is called in hints.
+inline constexpr const char* a_vertex = "a vertex";
+
 /// The names of one kind of entity.
 class NameTable {
 public:
@@ -28,9 +31,13 @@ public:
     void add(const std::string& name, int index) { index_.emplace(name, index); }
     std::optional<int> find(const std::string& name) const;
     /// As `find`; reports an unknown name. An empty name is one that could not be read: silent.
-    std::optional<int> require(const Name& name, Diagnostics& diagnostics) const;
+    std::optional<int> require(const Name& name, Diagnostics& diagnostics);
     /// Reports a name that is not there.
-    void report_unknown(const Name& name, Diagnostics& diagnostics) const;
+    void tell_unknown(const Name& name, Diagnostics& diagnostics) const;
+    /// Reports it and remembers that one was asked for.
+    void report_unknown(const Name& name, Diagnostics& diagnostics);
+    /// Whether a name was asked for that is not there: one of those that are there may be meant.
+    bool unknown_asked() const { return unknown_asked_; }
     /// Notes a name that is no such entity but something else, "a vertex", for hints.
     void note_other(const std::string& name, const std::string& what) { others_[name] = what; }
     /// Notes the condition of an entry that is left out.
@@ -44,6 +51,8 @@ public:
     void renumber(const std::vector<int>& new_index);
 
 private:
+    /// Whether a name has the form of one that is made, "a-b", of vertices that there are.
+    bool is_made_of_vertices(const std::string& name) const;
     std::string hint_for(const Name& name) const;
 
     std::string kind_;
@@ -52,6 +61,7 @@ private:
     std::map<std::string, std::string> others_;
     std::map<std::string, Place> left_out_;
     bool incomplete_ = false;
+    bool unknown_asked_ = false;
 };
 
 /// An edge as it was named; `reversed` when spelled against its own direction ("b-a" for "a-b").

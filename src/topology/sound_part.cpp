@@ -89,46 +89,45 @@ void renumber(int& index, const std::vector<int>& indices) {
     index = indices[static_cast<std::size_t>(index)];
 }
 
+void warn_of_shapes(Draft& draft) {
+    for (std::size_t n = 0; n < draft.c.curves.size(); ++n) {
+        const Name& name = draft.c.curves[n].name;
+        if (draft.curve_used[n] || draft.curve_names.unknown_asked()) continue;
+        draft.diagnostics.warning(name.place,
+                                  fmt::format("curve {} is not used", quoted(name.value)));
+    }
+    for (std::size_t n = 0; n < draft.c.surfaces.size(); ++n) {
+        const Name& name = draft.c.surfaces[n].name;
+        if (draft.surface_used[n] || draft.surface_names.unknown_asked()) continue;
+        draft.diagnostics.warning(name.place,
+                                  fmt::format("surface {} is not used", quoted(name.value)));
+    }
+}
+
 }  // namespace
 
 void warn_unused(Draft& draft) {
     if (draft.uses_lost) return;
-    const auto warn = [&](const Place& place, const std::string& text) {
-        draft.diagnostics.warning(place, text);
-    };
     for (const DraftEdge& edge : draft.edges) {
         const std::optional<int> target = like_target(draft, edge);
         if (target) draft.edge(*target).used = true;
     }
-    for (std::size_t n = 0; n < draft.c.curves.size(); ++n) {
-        const Name& name = draft.c.curves[n].name;
-        if (!draft.curve_used[n]) {
-            warn(name.place, fmt::format("curve {} is not used", quoted(name.value)));
-        }
-    }
-    for (std::size_t n = 0; n < draft.c.surfaces.size(); ++n) {
-        const Name& name = draft.c.surfaces[n].name;
-        if (!draft.surface_used[n]) {
-            warn(name.place, fmt::format("surface {} is not used", quoted(name.value)));
-        }
-    }
+    warn_of_shapes(draft);
     for (const DraftVertex& v : draft.vertices) {
-        if (!v.used) {
-            warn(v.vertex.place, fmt::format("vertex {} is not used", quoted(v.vertex.name)));
-        }
+        if (v.used || draft.vertex_names.unknown_asked()) continue;
+        draft.diagnostics.warning(v.vertex.place,
+                                  fmt::format("vertex {} is not used", quoted(v.vertex.name)));
     }
     for (const DraftEdge& e : draft.edges) {
-        if (!e.used) {
-            warn(e.edge.place,
-                 fmt::format("edge {} is not a side of any face", quoted(e.edge.name)));
-        }
+        if (e.used || !e.sound || draft.edge_names.unknown_asked()) continue;
+        draft.diagnostics.warning(
+            e.edge.place, fmt::format("edge {} is not a side of any face", quoted(e.edge.name)));
     }
     if (!draft.three_dimensional()) return;
     for (const DraftFace& f : draft.faces) {
-        if (!f.used) {
-            warn(f.face.place,
-                 fmt::format("face {} is not a side of any block", quoted(f.face.name)));
-        }
+        if (f.used || !f.sound || draft.face_names.unknown_asked()) continue;
+        draft.diagnostics.warning(
+            f.face.place, fmt::format("face {} is not a side of any block", quoted(f.face.name)));
     }
 }
 

@@ -66,7 +66,7 @@ void find_like(Laws& laws, int edge) {
     const std::optional<NamedEdge> target = find_edge(laws.network.edge_names, name.value);
     if (!target) {
         if (!name.value.empty()) {
-            laws.network.edge_names.report_unknown({name.value, name.place}, laws.diagnostics);
+            laws.network.edge_names.tell_unknown({name.value, name.place}, laws.diagnostics);
         }
         return;
     }

@@ -74,6 +74,47 @@ curves:
 )");
 }
 
+TEST_CASE("What may be unused for another fault is not warned of") {
+    // `wall` is what `roof` is a misspelling of; `rim` cannot be matched, as it misses its curve.
+    const std::string text = R"(
+curves:
+  circle: {circle: {center: [0, 0], radius: 1}}
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1], e: [0, 2], f: [2, 0]}
+edges:
+  ab: {from: a, to: b, cells: 4}
+  ad: {from: a, to: d, cells: 5}
+  wall: {from: d, to: c}
+  rim: {from: b, to: f, along: circle}
+  up: {from: d, to: ee}
+faces:
+  square: {imin: ad, imax: b-c, jmin: ab, jmax: roof}
+)";
+    CHECK(faults(text) == R"(9: error: vertex 'f' is not on the curve 'circle': it is 1 away
+  hint: the nearest point of the curve is {curve: circle, at: 0}, at [1, 0]
+10: error: unknown vertex 'ee'
+  hint: known: 'a', 'b', 'c', 'd', 'e' and 'f'
+12: error: unknown edge 'b-c'
+  hint: a name of corners is made only where a face or block given by its 'corners' needs it; else draw it under 'edges'
+12: error: unknown edge 'roof'
+  hint: known: 'ab', 'ad', 'rim', 'up' and 'wall'
+)");
+}
+
+TEST_CASE("Two vertices that no edge joins are not taken for two others") {
+    CHECK(faults(R"(
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1], e: [2, 0], f: [2, 1]}
+edges:
+  left: {from: a, to: d, cells: 4}
+  floor: {from: a, to: b, cells: 4}
+  mid: {from: b, to: c}
+faces:
+  ch: {imin: left, imax: mid, jmin: floor, jmax: c-d}
+  dn: {corners: [b, e, f, c]}
+)") == R"(8: error: unknown edge 'c-d'
+  hint: a name of corners is made only where a face or block given by its 'corners' needs it; else draw it under 'edges'
+)");
+}
+
 TEST_CASE("With blocks, a face that no block has is warned of, and so is not its every edge") {
     const std::string text = R"(
 vertices:
