@@ -8,6 +8,18 @@
 #include "topology/limits.h"
 
 namespace hexweave {
+namespace {
+
+std::size_t nodes_of_zones(const Topology& topology) {
+    std::size_t nodes = 0;
+    for (const Block& block : topology.blocks) nodes += block.extent.nodes();
+    if (!topology.is_3d()) {
+        for (const Face& face : topology.faces) nodes += topology.zone_extent(face).nodes();
+    }
+    return topology.mirror ? 2 * nodes : nodes;
+}
+
+}  // namespace
 
 PlannedGrid planned_grid(const Topology& topology, const Topology& solved) {
     PlannedGrid planned;
@@ -18,9 +30,7 @@ PlannedGrid planned_grid(const Topology& topology, const Topology& solved) {
     std::copy_if(topology.adjusted_counts.begin(), topology.adjusted_counts.end(),
                  std::back_inserter(planned.adjusted_counts),
                  [](const AdjustedCount& count) { return count.raised(); });
-    for (const Block& block : topology.blocks) planned.nodes += block.extent.nodes();
-    if (topology.is_3d()) return planned;
-    for (const Face& face : topology.faces) planned.nodes += face.extent().nodes();
+    planned.nodes = nodes_of_zones(topology);
     return planned;
 }
 

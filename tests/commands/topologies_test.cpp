@@ -152,3 +152,28 @@ TEST_CASE("an eighth of a ball collapsed to its middle and to its axis") {
         for (int i = 0; i < 11; ++i) CHECK(norm(x(i, j, 6)) == Approx(1).epsilon(1e-12));
     }
 }
+
+TEST_CASE("the nodes planned are those of the grid, swept or mirrored") {
+    const Scratch scratch;
+    const std::string square =
+        "hexweave: 1\n"
+        "vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1]}\n"
+        "edges: {south: {from: a, to: b, cells: 4}, west: {from: a, to: d, cells: 3}}\n"
+        "faces: {square: {corners: [a, b, c, d]}}\n"
+        "boundaries: {wall: {type: BCSymmetryPlane, plane: 'y = 0', sides: [south]}}\n";
+    const auto nodes = [&](const std::string& more, std::size_t expected) {
+        scratch.write("square.yaml", square + more);
+        for (const char* command : {"run", "check"}) {
+            const Finished run =
+                scratch.hexweave(std::string(command) + " square.yaml --json out.json");
+            INFO(more << run.err);
+            REQUIRE(run.exit_code == 0);
+            const Json json = Json::parse(scratch.read("out.json"));
+            CHECK(json["grids"][0]["nodes"] == expected);
+            if (!json["report"].is_null()) CHECK(json["report"]["nodes"] == expected);
+        }
+    };
+    nodes("", std::size_t{5} * 4);
+    nodes("extrude: {along: [0, 0, 1], cells: 2}\n", std::size_t{5} * 4 * 3);
+    nodes("mirror: {at: wall}\n", std::size_t{5} * 4 * 2);
+}
