@@ -11,10 +11,12 @@
 #include <iostream>
 #include <new>
 
+#include "commands/case_files.h"
 #include "core/parallel.h"
 #include "core/processors.h"
 #include "io/grid_file.h"
 #include "io/output_files.h"
+#include "io/output_place.h"
 #include "topology/text_limit.h"
 
 namespace hexweave {
@@ -79,10 +81,7 @@ void write_text(const std::string& text, const std::filesystem::path& path) {
     std::ofstream stream(path, std::ios::binary);
     stream << text;
     stream.close();
-    if (!stream) {
-        throw MachineError(
-            fmt::format("cannot write '{}': {}", path.string(), error_reason(errno)));
-    }
+    if (!stream) cannot_write(path, error_reason(errno));
 }
 
 void write_json_text(const std::string& text, const std::string& path) {
@@ -94,6 +93,11 @@ void write_json_text(const std::string& text, const std::string& path) {
     files.write(files.stage(path),
                 [&text](const std::filesystem::path& temporary) { write_text(text, temporary); });
     files.commit();
+}
+
+void require_apart(const std::vector<FileUse>& read, const std::string& json) {
+    if (json.empty() || json == "-") return;
+    require_apart({read, {{json_role, json}}});
 }
 
 void add_case_options(CLI::App& command, CaseOptions& options) {
@@ -173,6 +177,7 @@ ExitCode run_case_command(const char* command, const CaseOptions& options,
     ExitCode code = guarded(
         [&] {
             try {
+                require_apart({{{"the config", options.config}}, {}}, options, outcome);
                 return body(outcome);
             } catch (const InputError& e) {
                 outcome.diagnostics = e.diagnostics;
@@ -182,7 +187,7 @@ ExitCode run_case_command(const char* command, const CaseOptions& options,
         },
         outcome.failure);
     outcome.exit_code = static_cast<int>(code);
-    if (!options.json.empty()) {
+    if (!options.json.empty() && !outcome.json_refused) {
         const ExitCode written = guarded(
             [&] {
                 write_json_text(to_json(outcome), options.json);

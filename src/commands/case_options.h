@@ -11,6 +11,7 @@
 
 #include "core/diagnostics.h"
 #include "core/errors.h"
+#include "io/file_uses.h"
 #include "io/report_json.h"
 #include "topology/read_case.h"
 
@@ -26,6 +27,9 @@ struct CaseOptions {
     bool verbose = false;
     bool quiet = false;
 };
+
+/// What its file is called in messages.
+inline constexpr const char* json_role = "--json";
 
 /// Adds --set, --level, -j, --json, --strict, --verbose and --quiet to a subcommand.
 void add_case_options(CLI::App& command, CaseOptions& options);
@@ -45,6 +49,9 @@ void write_text(const std::string& text, const std::filesystem::path& path);
 
 /// Writes a text that is JSON to a file; "-" prints it.
 void write_json_text(const std::string& text, const std::string& path);
+
+/// Refuses the file of --json as require_apart of io/file_uses.h, where there is one.
+void require_apart(const std::vector<FileUse>& read, const std::string& json);
 
 /// Runs a body and turns every failure into its message, on standard error and in `failure`, and
 /// its exit code: wrong_input for a UsageError, machine_failed for the machine's failures.

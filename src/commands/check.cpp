@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "commands/case_files.h"
 #include "commands/case_options.h"
 #include "commands/command.h"
 #include "commands/level_grids.h"
 #include "io/topology_text.h"
 #include "topology/explain.h"
-#include "topology/read_case.h"
-#include "topology/resolve.h"
 
 namespace hexweave {
 namespace {
@@ -39,11 +38,24 @@ std::string explanations(const Case& written, const Topology& topology,
     return text;
 }
 
+/// Refuses what `run` would refuse of the files that the grids go to.
+void check_outputs(const CheckOptions& options, const Case& written,
+                   const std::vector<LevelGrids>& grids, Outcome& outcome) {
+    FileUses uses{files_of_case(options, written), {}};
+    for (const LevelGrids& part : grids) {
+        for (const Topology& topology : part.topologies()) {
+            const auto own = files_of_outputs(outputs_of(options, {}, topology), "the grid");
+            uses.written.insert(uses.written.end(), own.begin(), own.end());
+        }
+    }
+    require_apart(std::move(uses), options, outcome);
+}
+
 ExitCode check(const CheckOptions& options, Outcome& outcome) {
-    const Case written =
-        read_case(read_source(options.config), parse_overrides(options.set), outcome.diagnostics);
+    const Case written = read_case_of(options, outcome);
     const auto grids = resolve_levels(written, options.level, outcome.diagnostics);
     settle_warnings(outcome.diagnostics, options);
+    check_outputs(options, written, grids, outcome);
     outcome.parameters = grids.front().solved.parameters;
     std::string text;
     for (const LevelGrids& part : grids) {

@@ -44,6 +44,8 @@ ExitCode compare(const CompareOptions& options, ComparisonOutcome& outcome) {
 
 ExitCode compare_and_record(const CompareOptions& options) {
     set_threads(choose_threads(options.threads));
+    require_apart({{"the grid", options.candidate}, {"the golden grid", options.golden}},
+                  options.json);
     ComparisonOutcome outcome;
     outcome.candidate = options.candidate;
     outcome.golden = options.golden;

@@ -53,6 +53,7 @@ ExitCode convert(const ConvertArguments& arguments) {
     const GridOutput output = output_of(arguments);
     std::optional<GridFormat> from;
     if (!arguments.from.empty()) from = formats.at(arguments.from);
+    require_apart({files_read(arguments.input, "the grid", from), files_written(output, "OUT")});
     const MultiblockGrid grid = read_grid(arguments.input, from);
     OutputFiles files;
     const ReservedOutput reserved = reserve(output, files);

@@ -21,6 +21,7 @@ struct GeometryArguments {
 };
 
 ExitCode list_geometry(const GeometryArguments& arguments) {
+    require_apart({{"the file", arguments.file}}, arguments.json);
     const auto source = read_source(arguments.file);
     if (!can_read_cad()) {
         throw UsageError(

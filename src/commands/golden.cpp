@@ -3,9 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <list>
 
+#include "commands/case_files.h"
 #include "commands/compare.h"
 #include "commands/level_grids.h"
 #include "commands/progress.h"
@@ -31,7 +33,10 @@ struct Change {
 class Update {
 public:
     Update(const std::string& folder, const CaseOptions& options, Outcome& outcome)
-        : folder_(folder), options_(options), outcome_(outcome) {
+        : folder_(folder),
+          options_(options),
+          outcome_(outcome),
+          out_(options.json == "-" ? stderr : stdout) {
         if (!fs::is_directory(folder)) {
             throw UsageError(fmt::format("--golden: no such folder '{}'", folder));
         }
@@ -40,17 +45,28 @@ public:
         }
     }
 
+    /// Refuses golden grids that would overwrite a config or one another.
+    void require_own_files(const std::vector<std::string>& configs) {
+        FileUses uses;
+        for (const std::string& config : configs) {
+            if (config == "-") {
+                throw UsageError("--golden: a golden grid is named after its config's file");
+            }
+            uses.read.push_back({"the config", config});
+            uses.written.push_back({"the golden grid of '" + config + "'", golden_of(config)});
+        }
+        require_apart(std::move(uses), options_, outcome_);
+    }
+
     /// Makes one grid and compares it with the golden one.
     void make(const std::string& config) {
-        if (config == "-") {
-            throw UsageError("--golden: a golden grid is named after its config's file");
-        }
         CaseOptions options = options_;
         options.config = config;
-        Outcome own;
-        const Topology topology = std::move(read_grids(options, own).front().solved);
-        const std::string level = options.level.empty() ? "" : "." + options.level;
-        const fs::path path = folder_ / (fs::path(config).stem().string() + level + ".cgns");
+        outcome_.diagnostics = {};  // those of another case have been told
+        outcome_.grids.clear();
+        const CaseGrids resolved = read_grids(options, outcome_);
+        const Topology& topology = resolved.grids.front().solved;
+        const fs::path path = golden_of(config);
         OutputFiles files;
         const fs::path staged = files.stage(path);
         const Generated made = generate(topology, make_progress(options_.quiet));
@@ -74,12 +90,17 @@ public:
         for (Change& change : changes_) {
             change.files.commit();
             outcome_.outputs.push_back(change.path);
-            fmt::print("{}\n", change.line);
+            fmt::print(out_, "{}\n", change.line);
         }
         return ExitCode::done;
     }
 
 private:
+    fs::path golden_of(const std::string& config) const {
+        const std::string level = options_.level.empty() ? "" : "." + options_.level;
+        return folder_ / (fs::path(config).stem().string() + level + ".cgns");
+    }
+
     void compare(const fs::path& path, const fs::path& staged, OutputFiles files,
                  const std::string& soundness) {
         const std::string shown = path.string();
@@ -91,10 +112,10 @@ private:
         const GridComparison found = compare_files(staged.string(), shown, {});
         const std::string result = verdict(found);
         if (found.same()) {
-            if (!options_.quiet) fmt::print("{}: unchanged; {}\n", shown, result);
+            if (!options_.quiet) fmt::print(out_, "{}: unchanged; {}\n", shown, result);
             return;
         }
-        if (!options_.quiet) fmt::print("{}:\n{}", shown, to_text(found));
+        if (!options_.quiet) fmt::print(out_, "{}:\n{}", shown, to_text(found));
         changes_.push_back(
             {std::move(files), shown, fmt::format("{}: updated; {}", shown, result)});
     }
@@ -102,6 +123,7 @@ private:
     fs::path folder_;
     const CaseOptions& options_;
     Outcome& outcome_;
+    std::FILE* out_;
     std::list<Change> changes_;
     bool sound_ = true;
 };
@@ -110,7 +132,12 @@ private:
 
 ExitCode update_goldens(const std::string& folder, const std::vector<std::string>& configs,
                         const CaseOptions& options, Outcome& outcome) {
+    if (configs.size() > 1 && !options.json.empty()) {
+        outcome.json_refused = true;
+        throw UsageError("--json tells of one case: with --golden, run each config alone for it");
+    }
     Update update(folder, options, outcome);
+    update.require_own_files(configs);
     for (const std::string& config : configs) update.make(config);
     return update.finish();
 }

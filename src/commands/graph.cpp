@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // hexweave graph CONFIG -o PICTURE: the topology as resolved, drawn.
+#include "commands/case_files.h"
 #include "commands/case_options.h"
 #include "commands/command.h"
 #include "io/output_files.h"
 #include "io/topology_picture.h"
-#include "topology/read_case.h"
 #include "topology/resolve.h"
 
 namespace hexweave {
@@ -16,8 +16,8 @@ struct GraphOptions : CaseOptions {
 
 ExitCode graph(const GraphOptions& options, Outcome& outcome) {
     const PictureFormat format = picture_format(options.output);
-    const Case written =
-        read_case(read_source(options.config), parse_overrides(options.set), outcome.diagnostics);
+    const Case written = read_case_of(options, outcome);
+    require_apart({files_of_case(options, written), {{"-o", options.output}}}, options, outcome);
     const Topology topology = resolve(written, outcome.diagnostics);
     settle_warnings(outcome.diagnostics, options);
     const std::string title = topology.title.empty() ? options.config : topology.title;

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
+#include <utility>
 
+#include "commands/case_files.h"
 #include "topology/levels.h"
 #include "topology/resolve.h"
 
@@ -67,9 +68,8 @@ std::vector<LevelGrids> resolve_levels(const Case& written, const std::string& l
     return {resolve_one(c, diagnostics)};
 }
 
-std::vector<LevelGrids> read_grids(const CaseOptions& options, Outcome& outcome) {
-    const Case written =
-        read_case(read_source(options.config), parse_overrides(options.set), outcome.diagnostics);
+CaseGrids read_grids(const CaseOptions& options, Outcome& outcome) {
+    const Case written = read_case_of(options, outcome);
     std::vector<LevelGrids> grids = resolve_levels(written, options.level, outcome.diagnostics);
     outcome.parameters = grids.front().solved.parameters;
     settle_warnings(outcome.diagnostics, options);
@@ -78,21 +78,7 @@ std::vector<LevelGrids> read_grids(const CaseOptions& options, Outcome& outcome)
             outcome.grids.push_back(planned_grid(topology, part.solved));
         }
     }
-    return grids;
-}
-
-GridOutput output_of_level(GridOutput output, const std::string& level) {
-    const std::filesystem::path path(output.path);
-    const std::filesystem::path folder = path.parent_path();
-    if (output.format != GridFormat::openfoam) {
-        output.path = (folder / path.stem()).string() + "." + level + path.extension().string();
-    } else if (path.extension() == ".foam") {
-        const std::string own = folder.empty() ? level : folder.string() + "." + level;
-        output.path = (own / path.filename()).string();
-    } else {
-        output.path = (path.has_filename() ? path : folder).string() + "." + level;
-    }
-    return output;
+    return {files_of_case(options, written), std::move(grids)};
 }
 
 }  // namespace hexweave

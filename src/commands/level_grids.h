@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands/case_options.h"
-#include "core/grid_output.h"
+#include "io/file_uses.h"
 #include "topology/case.h"
 #include "topology/topology.h"
 
@@ -28,11 +28,13 @@ struct LevelGrids {
 std::vector<LevelGrids> resolve_levels(const Case& written, const std::string& level,
                                        Diagnostics& diagnostics);
 
-/// Reads and resolves the config of a command, and settles its warnings; notes what is planned.
-std::vector<LevelGrids> read_grids(const CaseOptions& options, Outcome& outcome);
+/// What a config comes to, and the files that say so.
+struct CaseGrids {
+    std::vector<FileUse> read;
+    std::vector<LevelGrids> grids;
+};
 
-/// An output under a name of its level: "wing.cgns" as "wing.fine.cgns", the folder "wing" as
-/// "wing.fine".
-GridOutput output_of_level(GridOutput output, const std::string& level);
+/// Reads and resolves the config of a command, and settles its warnings; notes what is planned.
+CaseGrids read_grids(const CaseOptions& options, Outcome& outcome);
 
 }  // namespace hexweave

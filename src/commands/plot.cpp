@@ -113,6 +113,7 @@ PictureOptions picture_options(const PlotArguments& arguments) {
 ExitCode plot(const PlotArguments& arguments) {
     const PictureFormat format = picture_format(arguments.output);
     const PictureOptions options = picture_options(arguments);
+    require_apart({files_read(arguments.grid, "the grid"), {{"-o", arguments.output}}});
     const MultiblockGrid grid = read_grid(arguments.grid);
     OutputFiles files;
     PictureSummary shown;

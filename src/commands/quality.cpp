@@ -27,6 +27,7 @@ struct QualityArguments {
 
 ExitCode tell_quality(const QualityArguments& arguments) {
     set_threads(choose_threads(arguments.threads));
+    require_apart(files_read(arguments.grid, "the grid"), arguments.json);
     MultiblockGrid grid = read_grid(arguments.grid);
     name_sides_where_nothing_is_named(grid);
     const GridQuality quality = measure_quality(grid, arguments.worst);

@@ -36,6 +36,9 @@ ExitCode write_report(const ReportArguments& arguments) {
     HtmlReportOptions options;
     options.grid_file = std::filesystem::path(arguments.grid).filename().string();
     for (const std::string& plane : arguments.planes) options.planes.push_back(read_plane(plane));
+    FileUses uses{files_read(arguments.grid, "the grid"), {{"-o", arguments.output}}};
+    if (!arguments.run.empty()) uses.read.push_back({"--run", arguments.run});
+    require_apart(uses);
     if (!arguments.run.empty()) options.run_json = read_whole_file(arguments.run);
     OutputFiles files;
     const std::filesystem::path staged = files.stage(arguments.output);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "commands/case_files.h"
 #include "commands/case_options.h"
 #include "commands/command.h"
 #include "commands/golden.h"
@@ -22,7 +22,6 @@
 #include "io/output_files.h"
 #include "io/report_text.h"
 #include "io/topology_text.h"
-#include "topology/levels.h"
 
 namespace hexweave {
 namespace {
@@ -34,25 +33,6 @@ struct RunOptions {
     std::string golden;
 };
 
-/// Where the grid goes: -o, else the file's `output`, else the config's stem.
-std::vector<GridOutput> outputs_of(const RunOptions& options, const Topology& topology) {
-    if (options.outputs.empty() && !topology.outputs.empty()) return topology.outputs;
-    std::vector<GridOutput> outputs;
-    if (options.outputs.empty() && options.input.config == "-") {
-        throw UsageError("a config from standard input needs -o FILE or `output: {cgns: FILE}`");
-    }
-    std::vector<std::string> paths = options.outputs;
-    if (paths.empty()) {
-        paths = {std::filesystem::path(options.input.config).stem().string() + ".cgns"};
-    }
-    for (const std::string& path : paths) {
-        const auto output = output_by_name(path);
-        if (!output) throw UsageError(unknown_ending("write", path));
-        outputs.push_back(*output);
-    }
-    return outputs;
-}
-
 /// One grid that is to be made: its topology, and where it goes; then what came of it.
 struct PlannedOutput {
     Topology topology;
@@ -61,22 +41,39 @@ struct PlannedOutput {
     std::vector<OffenderFile> offenders{};
 };
 
-/// Reserves the files of every level, before the work: a folder that cannot be written is told at
-/// once. A level named on the command line is told in the names of files that are not.
-std::vector<PlannedOutput> reserve_outputs(const RunOptions& options, const LevelGrids& grids,
-                                           OutputFiles& files) {
-    const std::string& asked = options.input.level;
-    const bool name_levels = asked == every_level || (!asked.empty() && options.outputs.empty());
+/// Plans every level; notes in `written` which files it takes.
+std::vector<PlannedOutput> plan_levels(const RunOptions& options, const LevelGrids& grids,
+                                       std::vector<FileUse>& written) {
     std::vector<PlannedOutput> planned;
     for (Topology& topology : grids.topologies()) {
-        PlannedOutput& own = planned.emplace_back();
-        for (const GridOutput& output : outputs_of(options, topology)) {
-            const auto& family = topology.family;
-            own.reserved.push_back(reserve(
-                name_levels ? output_of_level(output, family->names[family->level]) : output,
-                files));
+        const auto outputs = outputs_of(options.input, options.outputs, topology);
+        if (outputs.empty()) {
+            throw UsageError(
+                "a config from standard input needs -o FILE or `output: {cgns: FILE}`");
         }
+        const auto uses = files_of_outputs(outputs, options.outputs.empty() ? "the grid" : "-o");
+        written.insert(written.end(), uses.begin(), uses.end());
+        PlannedOutput& own = planned.emplace_back();
         own.topology = std::move(topology);
+        for (const GridOutput& output : outputs) own.reserved.push_back({output, {}});
+    }
+    return planned;
+}
+
+/// Where every grid goes; what cannot be written there is told before the work.
+std::vector<std::vector<PlannedOutput>> reserve_outputs(const RunOptions& options,
+                                                        const CaseGrids& all, Outcome& outcome,
+                                                        OutputFiles& files) {
+    FileUses uses{all.read, {}};
+    std::vector<std::vector<PlannedOutput>> planned;
+    for (const LevelGrids& grids : all.grids) {
+        planned.push_back(plan_levels(options, grids, uses.written));
+    }
+    require_apart(std::move(uses), options.input, outcome);
+    for (auto& levels : planned) {
+        for (PlannedOutput& own : levels) {
+            for (ReservedOutput& place : own.reserved) place = reserve(place.output, files);
+        }
     }
     return planned;
 }
@@ -126,15 +123,12 @@ void note(const std::vector<PlannedOutput>& made, Outcome& outcome) {
 
 ExitCode run(const RunOptions& options, Outcome& outcome) {
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<LevelGrids> grids = read_grids(options.input, outcome);
+    const CaseGrids all = read_grids(options.input, outcome);
     OutputFiles files;
-    std::vector<std::vector<PlannedOutput>> planned;
-    for (const LevelGrids& part : grids) {
-        planned.push_back(reserve_outputs(options, part, files));
-    }
+    std::vector<std::vector<PlannedOutput>> planned = reserve_outputs(options, all, outcome, files);
     std::vector<PlannedOutput> made;
-    for (std::size_t n = 0; n < grids.size(); ++n) {
-        make_levels(grids[n], make_progress(options.input.quiet), files, planned[n]);
+    for (std::size_t n = 0; n < planned.size(); ++n) {
+        make_levels(all.grids[n], make_progress(options.input.quiet), files, planned[n]);
         std::move(planned[n].begin(), planned[n].end(), std::back_inserter(made));
     }
     files.commit();

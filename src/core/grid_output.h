@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/diagnostics.h"
+
 namespace hexweave {
 
 enum class GridFormat { cgns, plot3d, vtk, openfoam };
@@ -21,6 +23,7 @@ struct GridOutput {
     std::string path;  ///< a file; for OpenFOAM the case's folder, or a file .foam in it
     Plot3dForm form = Plot3dForm::unformatted;
     ByteOrder byte_order = ByteOrder::little;
+    Place place{};  ///< where a config names it; nowhere for the command line
 };
 
 /// The format that files with this ending (".cgns") have: nothing for an unknown one.

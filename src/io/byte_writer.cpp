@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/byte_writer.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <utility>
 
-#include "core/errors.h"
-#include "io/output_files.h"
+#include "io/output_place.h"
 
 namespace hexweave {
 
@@ -29,7 +26,7 @@ void ByteWriter::close() {
 }
 
 void ByteWriter::fail() const {
-    throw MachineError(fmt::format("cannot write '{}': {}", path_.string(), error_reason(errno)));
+    cannot_write(path_, error_reason(errno));
 }
 
 }  // namespace hexweave

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "io/cgns.h"
-#include "io/output_files.h"
+#include "io/output_place.h"
 
 namespace hexweave {
 namespace {

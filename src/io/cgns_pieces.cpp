@@ -17,7 +17,7 @@
 
 #include "core/errors.h"
 #include "io/cgns_source.h"
-#include "io/output_files.h"
+#include "io/output_place.h"
 
 namespace hexweave {
 namespace {

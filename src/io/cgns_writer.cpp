@@ -14,6 +14,7 @@
 #include "io/cgns_library.h"
 #include "io/cgns_rewrite.h"
 #include "io/output_files.h"
+#include "io/output_place.h"
 
 namespace hexweave {
 namespace {

@@ -73,17 +73,19 @@ bool names_marker(const std::filesystem::path& path) {
     return path.extension() == foam_ending;
 }
 
-/// The folder of the case, made where it is not there, down to that of the mesh.
-std::filesystem::path make_case(const std::filesystem::path& path, OutputFiles& files) {
+/// The folder of the case, those in it down to that of the mesh, and what stands there.
+std::vector<FileUse> files_of_case(const std::filesystem::path& path, const std::string& role) {
     std::filesystem::path folder = names_marker(path) ? path.parent_path() : path;
     if (folder.empty()) folder = ".";
     if (!folder.has_filename()) folder = folder.parent_path();  // "case/"
-    files.make_folder(folder);
+    std::vector<FileUse> uses{{role, folder, {}, FileUse::Kind::folder}};
     for (const char* inner : {"constant", "polyMesh"}) {
         folder /= inner;
-        files.make_folder(folder);
+        uses.push_back({"a folder of " + role, folder, {}, FileUse::Kind::folder});
     }
-    return folder;
+    for (const char* name : poly_mesh_files) uses.push_back({"a file of " + role, folder / name});
+    if (names_marker(path)) uses.push_back({role, path});
+    return uses;
 }
 
 std::filesystem::path vtk_folder(std::filesystem::path path) {
@@ -129,27 +131,41 @@ std::optional<GridOutput> output_by_name(const std::string& path) {
     return GridOutput{*format, path, plot3d_form_of_ending(ending)};
 }
 
-ReservedOutput reserve(const GridOutput& output, OutputFiles& files) {
-    ReservedOutput reserved{output, {}};
+std::vector<FileUse> files_written(const GridOutput& output, const std::string& role) {
     const std::filesystem::path path = output.path;
+    std::vector<FileUse> uses{{role, path}};
     switch (output.format) {
         case GridFormat::cgns:
-            reserved.staged = {files.stage(path)};
             break;
         case GridFormat::plot3d:
-            reserved.staged = {files.stage(path), files.stage(map_beside(path))};
+            uses.push_back({"the map of " + role, map_beside(path)});
             break;
         case GridFormat::vtk:
-            reserved.staged = {files.stage(path)};
-            files.make_folder(vtk_folder(path));
+            uses.push_back({"the folder of " + role, vtk_folder(path), {}, FileUse::Kind::pieces});
             break;
-        case GridFormat::openfoam: {
-            const std::filesystem::path folder = make_case(path, files);
-            for (const char* name : poly_mesh_files) {
-                reserved.staged.push_back(files.stage(folder / name));
-            }
-            if (names_marker(path)) reserved.staged.push_back(files.stage(path));
+        case GridFormat::openfoam:
+            uses = files_of_case(path, role);
             break;
+    }
+    for (FileUse& use : uses) use.place = output.place;
+    return uses;
+}
+
+std::vector<FileUse> files_read(const std::filesystem::path& path, const std::string& role,
+                                std::optional<GridFormat> format) {
+    std::vector<FileUse> uses{{role, path}};
+    if (!format) format = format_of_ending(path.extension().string());
+    if (format == GridFormat::plot3d) uses.push_back({"the map of " + role, map_beside(path)});
+    return uses;
+}
+
+ReservedOutput reserve(const GridOutput& output, OutputFiles& files) {
+    ReservedOutput reserved{output, {}};
+    for (const FileUse& use : files_written(output, "the grid")) {
+        if (use.kind == FileUse::Kind::file) {
+            reserved.staged.push_back(files.stage(use.path));
+        } else {
+            files.make_folder(use.path);
         }
     }
     return reserved;

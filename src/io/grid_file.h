@@ -10,6 +10,7 @@
 
 #include "core/grid_output.h"
 #include "core/multiblock.h"
+#include "io/file_uses.h"
 #include "io/output_files.h"
 
 namespace hexweave {
@@ -35,10 +36,17 @@ struct ReservedOutput {
     std::vector<std::filesystem::path> staged;
 };
 
-/// To be called before the grid is made, so that what cannot be written is told at once. Plot3D
-/// stands in two files (its map beside it, ending in .nmf), VTK in a .vtm file and a folder of its
-/// stem, OpenFOAM in constant/polyMesh under the case's folder; for a path that ends in .foam the
-/// case is the folder of that file, which ParaView opens and which is empty.
+/// Where an output is written. Plot3D stands in two files (its map beside it, ending in .nmf), VTK
+/// in a .vtm file and a folder of its stem, OpenFOAM in constant/polyMesh under the case's folder;
+/// for a path that ends in .foam the case is the folder of that file, which ParaView opens and
+/// which is empty. `role` is what the output is to the command.
+std::vector<FileUse> files_written(const GridOutput& output, const std::string& role);
+
+/// What read_grid looks at; the map may not be there.
+std::vector<FileUse> files_read(const std::filesystem::path& path, const std::string& role,
+                                std::optional<GridFormat> format = std::nullopt);
+
+/// To be called before the grid is made, so that what cannot be written is told at once.
 ReservedOutput reserve(const GridOutput& output, OutputFiles& files);
 
 /// Writes the grid; `files` is to be committed after it.

@@ -11,12 +11,6 @@ namespace hexweave {
 
 namespace {
 
-/// "wing.offenders" for "wing.cgns"; "case.offenders" for the folder "case/".
-std::filesystem::path folder_beside(std::filesystem::path grid) {
-    if (!grid.has_filename()) grid = grid.parent_path();
-    return grid.replace_extension(".offenders");
-}
-
 /// Whether a file has a name that `write_offenders` gives, and is a file itself.
 bool is_offender_file(const std::filesystem::directory_entry& entry) {
     const std::string name = entry.path().filename().string();
@@ -43,12 +37,17 @@ const char* kind_name(bool is_block) {
 
 }  // namespace
 
+std::filesystem::path offender_folder(std::filesystem::path grid) {
+    if (!grid.has_filename()) grid = grid.parent_path();
+    return grid.replace_extension(".offenders");
+}
+
 std::vector<OffenderFile> write_offenders(const std::vector<Offender>& offenders,
                                           const std::string& units,
                                           const std::filesystem::path& grid_path,
                                           OutputFiles& files) {
     std::vector<OffenderFile> written;
-    const std::filesystem::path folder = folder_beside(grid_path);
+    const std::filesystem::path folder = offender_folder(grid_path);
     if (!offenders.empty()) files.make_folder(folder);
     for (const Offender& offender : offenders) {
         const std::string kind = kind_name(offender.is_block);

@@ -19,6 +19,9 @@ struct OffenderFile {
     std::string path;
 };
 
+/// "wing.offenders" for "wing.cgns"; "case.offenders" for the folder "case/".
+std::filesystem::path offender_folder(std::filesystem::path grid);
+
 /// Writes STEM.offenders/face-NAME.vts and block-NAME.vts, STEM that of the grid's path; makes no
 /// folder where there are none. Files of such names that an earlier run left there go. Points, and
 /// at the cells `scaled_jacobian`, `folded` and `worst`. `files` is to be committed after it.

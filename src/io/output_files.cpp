@@ -7,84 +7,21 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <optional>
 #include <set>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "core/errors.h"
+#include "io/output_place.h"
 #include "io/staged_signals.h"
 
 namespace hexweave {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void cannot_write(const fs::path& path, const std::string& reason) {
-    throw MachineError(fmt::format("cannot write '{}': {}", path.string(), reason));
-}
-
-fs::path folder_of(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-/// What a path is, without following a link; nothing when there is no such file. Throws
-/// MachineError in the name of `given`.
-std::optional<struct stat> look_at(const fs::path& path, const fs::path& given) {
-    struct stat status = {};
-    if (lstat(path.c_str(), &status) == 0) return status;
-    if (errno == ENOENT) return std::nullopt;
-    if (errno == ENOTDIR)
-        cannot_write(given, fmt::format("'{}' is not a folder", folder_of(path).string()));
-    cannot_write(given, error_reason(errno));
-}
-
-/// Follows links until something that is none, which need not exist.
-fs::path follow_links(const fs::path& given) {
-    constexpr int most_links = 40;
-    fs::path path = given;
-    for (int links = 0; links < most_links; ++links) {
-        const auto status = look_at(path, given);
-        if (!status || !S_ISLNK(status->st_mode)) return path;
-        std::error_code error;
-        const fs::path target = fs::read_symlink(path, error);
-        if (error) cannot_write(given, error_reason(error.value()));
-        path = target.is_absolute() ? target : folder_of(path) / target;
-    }
-    cannot_write(given, error_reason(ELOOP));
-}
-
-/// Throws MachineError unless `path` is a regular file that may be written, or nothing yet.
-void require_replaceable(const fs::path& path, const fs::path& given) {
-    const auto status = look_at(path, given);
-    if (!status) {
-        if (!path.has_filename()) cannot_write(given, "it names no file");
-        return;
-    }
-    if (S_ISDIR(status->st_mode)) cannot_write(given, "it is a folder");
-    if (!S_ISREG(status->st_mode)) cannot_write(given, "it is not a regular file");
-    if (access(path.c_str(), W_OK) != 0) cannot_write(given, error_reason(errno));
-}
-
-void require_folder(const fs::path& path, const fs::path& given) {
-    const fs::path folder = folder_of(path);
-    struct stat status = {};
-    if (stat(folder.c_str(), &status) == 0) {
-        if (!S_ISDIR(status.st_mode)) {
-            cannot_write(given, fmt::format("'{}' is not a folder", folder.string()));
-        }
-        return;
-    }
-    if (errno == ENOENT) cannot_write(given, fmt::format("no such folder '{}'", folder.string()));
-    if (errno == ENOTDIR)
-        cannot_write(given, fmt::format("'{}' is not in a folder", folder.string()));
-    cannot_write(given, error_reason(errno));
-}
 
 /// Flushes a file, or the entries of a folder, to the disk. Some file systems cannot flush a folder
 /// and say so with EINVAL.
@@ -182,14 +119,6 @@ private:
 
 }  // namespace
 
-std::string error_reason(int error_number) {
-    std::string reason = std::strerror(error_number);
-    if (reason.size() > 1 && std::islower(static_cast<unsigned char>(reason[1])) != 0) {
-        reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
-    }
-    return reason;
-}
-
 TemporaryFile::TemporaryFile(const fs::path& neighbour, const fs::path& shown) {
     const SignalsHeld held;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
@@ -248,32 +177,22 @@ OutputFiles::~OutputFiles() {
 }
 
 void OutputFiles::make_folder(const fs::path& folder) {
-    struct stat status = {};
-    if (stat(folder.c_str(), &status) == 0) {
-        if (!S_ISDIR(status.st_mode)) cannot_write(folder, "it is not a folder");
-        return;
-    }
-    require_folder(folder, folder);
-    folders_.emplace_back(folder);
+    if (folder_is_missing(folder)) folders_.emplace_back(folder);
 }
 
 fs::path OutputFiles::stage(const fs::path& final_path) {
-    const fs::path target = follow_links(final_path);
-    require_folder(target, final_path);
-    require_replaceable(target, final_path);
-    const fs::path canonical = fs::canonical(folder_of(target)) / target.filename();
+    const fs::path place = place_of_file(final_path);
     for (const Staged& other : staged_) {
-        if (other.final_path == canonical) {
+        if (other.final_path == place) {
             throw UsageError(
                 fmt::format("two outputs would be written to '{}'", final_path.string()));
         }
     }
-    staged_.push_back({TemporaryFile(canonical, final_path), final_path, canonical});
+    staged_.push_back({TemporaryFile(place, final_path), final_path, place});
     return staged_.back().temporary.path();
 }
 
 void OutputFiles::discard(const fs::path& path) {
-    require_folder(path, path);
     discarded_.push_back(path);
 }
 

@@ -64,13 +64,14 @@ public:
     ~OutputFiles();
 
     /// Makes the folder unless it is there; with a failure, or without `commit`, it goes again.
-    /// Throws MachineError when it cannot be made or something else has the name.
+    /// Throws UsageError when something else has the name or the folder around it is missing,
+    /// MachineError when it cannot be made.
     void make_folder(const std::filesystem::path& folder);
 
     /// The temporary path to write `final_path` to. A link is followed: the file that it points to
-    /// gets replaced, the link stays. Throws MachineError, naming the path and the reason, when its
-    /// folder is missing or not writable, when the path is a folder or a device, or when an
-    /// existing file may not be written; UsageError when the same file is staged twice.
+    /// gets replaced, the link stays. Throws, naming the path and the reason, UsageError when its
+    /// folder is missing, when the path is a folder or a device, or when the same file is staged
+    /// twice; MachineError when the folder or an existing file may not be written.
     std::filesystem::path stage(const std::filesystem::path& final_path);
 
     /// Calls writer(temporary) for a path that `stage` gave. A MachineError that names the
@@ -78,8 +79,7 @@ public:
     void write(const std::filesystem::path& temporary,
                const std::function<void(const std::filesystem::path&)>& writer) const;
 
-    /// Has `commit` remove a file, and then its folder where that is left empty. Throws
-    /// MachineError when the folder may not be written.
+    /// Has `commit` remove a file, and then its folder where that is left empty.
     void discard(const std::filesystem::path& path);
 
     /// Flushes every staged file to the disk, renames all of them into place and flushes their
@@ -109,8 +109,5 @@ private:
 /// A file that exceeds the process's size limit becomes a MachineError instead of a signal. Called
 /// once, by main.
 void remove_staged_files_on_signals();
-
-/// The reason of a failed system call in lower case: "permission denied".
-std::string error_reason(int error_number);
 
 }  // namespace hexweave

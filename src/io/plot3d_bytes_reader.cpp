@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/errors.h"
-#include "io/output_files.h"
+#include "io/output_place.h"
 #include "io/plot3d_source.h"
 
 namespace hexweave {

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "core/errors.h"
-#include "io/output_files.h"
+#include "io/output_place.h"
 #include "io/plot3d.h"
 #include "io/plot3d_source.h"
 

@@ -19,6 +19,7 @@ struct Outcome {
     std::string command;  ///< "run" or "check"
     std::string config;   ///< as named on the command line
     int exit_code = 0;
+    bool json_refused = false;            ///< this is not to be written: its file is another's
     std::vector<std::string> outputs;     ///< files that were written
     std::vector<OffenderFile> offenders;  ///< likewise, of what ended folded or unconverged
     Diagnostics diagnostics;

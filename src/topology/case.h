@@ -285,6 +285,7 @@ struct Case {
     Name level;                               ///< to be made; empty: medium, if there are levels
     std::optional<Located<int>> multiple_of;  ///< that the cells of every edge are raised to
     std::vector<GridOutput> outputs;
+    std::vector<Name> files;  ///< that were read besides it: paths, and where they are named
     std::vector<InstanceEntry> instances;
     std::vector<JoinedPart> joined;
     std::vector<LeftOutEntry> left_out;      ///< for messages about names that are not there

@@ -176,6 +176,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
         warn_unused_parameters(reading, c.parameters, instances.parameters);
     }
     append_parameters(c.parameters, instances.parameters);
+    c.files = std::move(reading.files);
     c.lost_sections = std::move(reading.lost_sections);
     return c;
 }

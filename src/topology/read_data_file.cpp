@@ -97,7 +97,10 @@ std::shared_ptr<const SourceFile> read_data_file(Reading& reading, const YamlNod
         std::ifstream stream(path, std::ios::binary);
         std::ostringstream contents;
         contents << stream.rdbuf();
-        if (stream) return std::make_shared<SourceFile>(SourceFile{*written, contents.str()});
+        if (stream) {
+            reading.files.push_back({path.string(), node.place});
+            return std::make_shared<SourceFile>(SourceFile{*written, contents.str()});
+        }
         reason = std::strerror(errno);
     }
     reading.diagnostics.error(

@@ -23,6 +23,7 @@ bool read_path(Reading& reading, const YamlNode& node, const std::string& what, 
     }
     output.format = format;
     output.path = *text;
+    output.place = node.place;
     output.form = plot3d_form_of_ending(ending);
     return true;
 }

@@ -53,6 +53,7 @@ struct Reading {
     std::vector<std::shared_ptr<const SourceFile>> included{};  ///< files, in order
     std::vector<std::shared_ptr<InstanceScope>> scopes{};       ///< each behind that it stands in
     std::vector<LeftOutEntry> left_out{};
+    std::vector<Name> files{};                    ///< data files and included ones: their paths
     std::vector<std::string> lost_sections{};     ///< keys of those that could not be read
     int repeated = 0;                             ///< entries that repetition has made
     std::map<std::string, YamlNode> replaced{};   ///< parameters that an include gives a value

@@ -101,7 +101,7 @@ TEST_CASE("convert says what it cannot do, and leaves nothing behind") {
     refused("square.yaml grid.cgns",
             "'square.yaml' is a config, not a grid; 'hexweave run square.yaml' makes its grid");
     const Finished no_folder = scratch.hexweave("convert square.cgns none/grid.vtm");
-    CHECK(no_folder.exit_code == 3);
+    CHECK(no_folder.exit_code == 2);
     CHECK(contains(no_folder.err, "no such folder 'none'"));
     scratch.write("surface.p3d", "1\n2 2 1\n0 1 0 1\n0 0 1 1\n0 0 0 1\n");
     refused("surface.p3d case --to openfoam", "a surface in space");

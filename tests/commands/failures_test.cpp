@@ -410,10 +410,10 @@ TEST_CASE("an output that cannot be written is told before the work, and nothing
     scratch.write("tiny.yaml", tiny);
     scratch.write("file", "");
     const Finished missing = scratch.hexweave("run tiny.yaml -o nowhere/grid.cgns");
-    CHECK(missing.exit_code == 3);
+    CHECK(missing.exit_code == 2);
     CHECK(contains(missing.err, "nowhere"));
     const Finished through = scratch.hexweave("run tiny.yaml -o file/grid.cgns");
-    CHECK(through.exit_code == 3);
+    CHECK(through.exit_code == 2);
     CHECK(scratch.listing() == "file tiny.yaml");
 }
 
