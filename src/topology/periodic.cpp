@@ -12,6 +12,7 @@
 
 #include "topology/grid_sides.h"
 #include "topology/periodic_match.h"
+#include "topology/periodic_remedy.h"
 #include "topology/text.h"
 
 namespace hexweave {
@@ -83,6 +84,18 @@ std::vector<NamedSide> claim_sides(Pairing& pairing, const std::vector<Name>& na
     return found;
 }
 
+/// What of the nearest side is off the image, and how far.
+std::string miss_text(const Pairing& pairing, const SideMatch& best) {
+    const auto part = [&](int edge, int vertex) {
+        const auto v = static_cast<std::size_t>(vertex);
+        return vertex >= 0
+                   ? fmt::format("vertex {}", quoted(pairing.network.topology.vertices[v].name))
+                   : fmt::format("edge {}", quoted(pairing.network.edge(edge).name));
+    };
+    return fmt::format("{} is {} away from the image of {}", part(best.edge.to, best.vertex_to),
+                       number_text(best.distance), part(best.edge.from, best.vertex_from));
+}
+
 void report_no_image(Pairing& pairing, const Name& interface, const NamedSide& from,
                      const SideMatch& best) {
     if (!best.divided_alike) {
@@ -93,25 +106,36 @@ void report_no_image(Pairing& pairing, const Name& interface, const NamedSide& f
             "an image has as many edges on each of its sides as what it is the image of");
         return;
     }
-    const Topology& topology = pairing.network.topology;
-    const bool at_vertex = best.vertex_from >= 0;
-    const auto part = [&](int edge, int vertex) {
-        const auto v = static_cast<std::size_t>(vertex);
-        return at_vertex ? fmt::format("vertex {}", quoted(topology.vertices[v].name))
-                         : fmt::format("edge {}", quoted(pairing.network.edge(edge).name));
-    };
     Diagnostic& error = pairing.diagnostics.error(
         from.name->place,
-        fmt::format("no side of 'to' is the image of {} by {}: {} is {} away from the image of {}",
-                    pairing.text(from.side), quoted(interface.value),
-                    part(best.edge.to, best.vertex_to), number_text(best.distance),
-                    part(best.edge.from, best.vertex_from)),
-        at_vertex ? fmt::format("the image of that vertex is {}", point_text(best.image))
-                  : fmt::format("it has the point {} where the image has {}: let it follow the "
-                                "same curve, moved",
-                                point_text(best.place), point_text(best.image)));
+        fmt::format("no side of 'to' is the image of {} by {}: {}", pairing.text(from.side),
+                    quoted(interface.value), miss_text(pairing, best)),
+        best.vertex_from >= 0
+            ? fmt::format("the image of that vertex is {}", point_text(best.image))
+            : fmt::format("it has the point {} where the image has {}: let it follow the "
+                          "same curve, moved",
+                          point_text(best.place), point_text(best.image)));
     error.notes.push_back({pairing.sides.places[static_cast<std::size_t>(best.pair.to)],
                            fmt::format("{} comes nearest", pairing.text(best.pair.to))});
+}
+
+/// Tells at once that the map of an interface is wrong, where another one is right for all sides.
+bool report_wrong_map(Pairing& pairing, const PeriodicEntry& entry,
+                      const std::vector<NamedSide>& from, const std::vector<NamedSide>& to,
+                      const SideMatch& miss) {
+    const auto indices = [](const std::vector<NamedSide>& sides) {
+        std::vector<int> all;
+        for (const NamedSide& side : sides) all.push_back(side.side);
+        return all;
+    };
+    const std::string right = map_that_pairs(pairing.network, entry, indices(from), indices(to));
+    if (right.empty()) return false;
+    pairing.diagnostics.error(
+        entry.map.place,
+        fmt::format("the sides of 'to' are no images of those of 'from' by {}: {}",
+                    quoted(entry.name.value), miss_text(pairing, miss)),
+        fmt::format("with '{}' they are", right));
+    return true;
 }
 
 /// All ways in which one side may lie on the image of another, nearest first.
@@ -127,28 +151,36 @@ std::vector<SideMatch> all_ways(SideMatcher& matcher, int from, const std::vecto
     return all;
 }
 
-void pair_sides(Pairing& pairing, const std::vector<NamedSide>& from,
+void pair_side(Pairing& pairing, const NamedSide& side, const std::vector<SideMatch>& ways,
+               PeriodicInterface& interface) {
+    const PeriodicPair& pair = ways.front().pair;
+    const bool taken = std::any_of(interface.pairs.begin(), interface.pairs.end(),
+                                   [&](const PeriodicPair& p) { return p.to == pair.to; });
+    if (!pairing.is_near(ways.front())) {
+        report_no_image(pairing, {interface.name, interface.place}, side, ways.front());
+    } else if (taken || pairing.is_near(ways[1])) {
+        const int other = taken ? pair.to : ways[1].pair.to;
+        pairing.diagnostics.error(
+            side.name->place,
+            fmt::format("the image of {} is ambiguous: sides of {} lie in the same place",
+                        pairing.text(side.side), quoted(interface.name)),
+            fmt::format("look at {}", pairing.text(other)));
+    } else {
+        interface.pairs.push_back(pair);
+    }
+}
+
+void pair_sides(Pairing& pairing, const PeriodicEntry& entry, const std::vector<NamedSide>& from,
                 const std::vector<NamedSide>& to, PeriodicInterface& interface) {
     const PeriodicMap map = periodic_map(interface.periodicity);
     SideMatcher matcher(pairing.network, map);
-    for (const NamedSide& side : from) {
-        const std::vector<SideMatch> ways = all_ways(matcher, side.side, to);
-        const PeriodicPair& pair = ways.front().pair;
-        const bool taken = std::any_of(interface.pairs.begin(), interface.pairs.end(),
-                                       [&](const PeriodicPair& p) { return p.to == pair.to; });
-        if (!pairing.is_near(ways.front())) {
-            report_no_image(pairing, {interface.name, interface.place}, side, ways.front());
-        } else if (taken || pairing.is_near(ways[1])) {
-            const int other = taken ? pair.to : ways[1].pair.to;
-            pairing.diagnostics.error(
-                side.name->place,
-                fmt::format("the image of {} is ambiguous: sides of {} lie in the same place",
-                            pairing.text(side.side), quoted(interface.name)),
-                fmt::format("look at {}", pairing.text(other)));
-        } else {
-            interface.pairs.push_back(pair);
-        }
-    }
+    std::vector<std::vector<SideMatch>> ways;
+    for (const NamedSide& side : from) ways.push_back(all_ways(matcher, side.side, to));
+    const auto miss = std::find_if(ways.begin(), ways.end(), [&](const auto& of_side) {
+        return !pairing.is_near(of_side.front()) && of_side.front().divided_alike;
+    });
+    if (miss != ways.end() && report_wrong_map(pairing, entry, from, to, miss->front())) return;
+    for (std::size_t n = 0; n < from.size(); ++n) pair_side(pairing, from[n], ways[n], interface);
 }
 
 }  // namespace
@@ -170,7 +202,7 @@ void pair_periodic_sides(Network& network, const Case& c, Diagnostics& diagnosti
                                           pairing.counted(to.size())),
                               "every side of 'to' is the image of one of 'from'");
         } else if (known) {
-            pair_sides(pairing, from, to, interface);
+            pair_sides(pairing, entry, from, to, interface);
         }
         network.topology.periodic.push_back(std::move(interface));
     }

@@ -137,16 +137,49 @@ TEST_CASE("counts that differ are told across the interface") {
 }
 
 TEST_CASE("a side that is no image is told with how far it is off") {
-    CHECK_THAT(faults(channel(upper,
-                              "  pitch: {from: [low1, low2], to: [up1, up2], "
-                              "translate: [0, 0.71]}")),
-               Contains("no side of 'to' is the image of edge 'low1' by 'pitch': vertex 'q' is "
-                        "0.01 away from the image of vertex 'p'") &&
-                   Contains("hint: the image of that vertex is [1, 0.81]"));
+    CHECK_THAT(faults(box("  south: {from: a-b-f-e, to: d-c-g-h, translate: [0, 0.7, 0]}",
+                          "a-b-c-d, e-f-g-h, a-d-h-e, b-c-g-f", "[1.4, 1.8, 3.1]")),
+               Contains("no side of 'to' is the image of face 'a-b-f-e' by 'south': vertex 'g' is "
+                        "0.1 away from the image of vertex 'f'") &&
+                   Contains("hint: the image of that vertex is [1.4, 1.8, 3]"));
     CHECK_THAT(
         faults(channel("  up1: {from: d, to: q}\n  up2: {from: c, to: q, along: high}", pitch)),
         Contains("edge 'up1' is 0.3") && Contains("away from the image of edge 'low1'") &&
             Contains("let it follow the same curve, moved"));
+}
+
+TEST_CASE("a map that is wrong for all sides is told once, with the right one") {
+    const auto pitched = [](const std::string& map) {
+        return channel(upper, "  pitch: {from: [low1, low2], to: [up1, up2], " + map + "}");
+    };
+    CHECK(faults(pitched("translate: [0, 0.71]")) ==
+          "23: error: the sides of 'to' are no images of those of 'from' by 'pitch': vertex 'q' is "
+          "0.01 away from the image of vertex 'p'\n"
+          "  hint: with 'translate: [0, 0.7]' they are\n");
+    const std::string sector = R"(vertices:
+  a: [1, 0, 0]
+  b: [2, 0, 0]
+  c: [2 * cos(pi / 7), 2 * sin(pi / 7), 0]
+  d: [cos(pi / 7), sin(pi / 7), 0]
+curves:
+  in: {arc: {center: [0, 0], radius: 1, from: 0, to: pi / 7}}
+  out: {arc: {center: [0, 0], radius: 2, from: 0, to: pi / 7}}
+edges:
+  low: {from: a, to: b, cells: 3}
+  high: {from: d, to: c}
+  in: {from: a, to: d, along: in, cells: 4}
+  out: {from: b, to: c, along: out}
+faces: {f: {imin: in, imax: out, jmin: low, jmax: high}}
+boundaries: {ends: {type: BCInflow, sides: [in, out]}}
+periodic:
+)";
+    CHECK_THAT(faults(sector + "  turn: {from: low, to: high, rotate: {axis: [0, 0, -1], angle: "
+                               "pi / 7}}\n"),
+               Contains("no images of those of 'from' by 'turn'") &&
+                   Contains("hint: with 'angle: -pi / 7' they are"));
+    CHECK(faults(sector + "  turn: {from: low, to: high, rotate: {axis: [0, 0, -1], angle: "
+                          "-2 * pi / 14}}\n")
+              .empty());
 }
 
 TEST_CASE("lists of different lengths, sides that are not free, sides named again") {
