@@ -102,22 +102,93 @@ void settle_own(Network& network, Edge& edge, const EdgeEntry& entry, Diagnostic
                                                off.distance, off.place});
 }
 
-/// Moves an edge of a side exactly onto the side's plane, or reports how far off it is.
-bool settle(Network& network, Edge& edge, const AxisPlane& plane, const Place& place,
-            Diagnostics& diagnostics) {
-    if (has_plane(edge, plane)) return true;
-    Topology& topology = network.topology;
-    const double off = off_plane(topology, edge, plane).distance;
-    if (off > near_plane * topology.size) {
-        diagnostics.error(place,
-                          fmt::format("edge {} is {} off the symmetry plane {}", quoted(edge.name),
-                                      number_text(off), plane_text(plane)),
-                          "every point of the side must be on the plane, to 1e-9 of the size of "
-                          "the grid");
-        return false;
+/// What is off the plane of a boundary.
+struct Strays {
+    const Name* side = nullptr;  ///< the first
+    int edge = -1;               ///< of it
+    double distance = 0;
+    std::set<int> edges;  ///< all
+};
+
+/// Moves the edges of a side exactly onto the side's plane; false where there are strays.
+bool settle(Network& network, const Name& name, int side, const AxisPlane& plane, Strays& strays) {
+    bool on_plane = true;
+    for (const int index : edges_of_side(network, side)) {
+        Edge& edge = network.edge(index);
+        if (has_plane(edge, plane)) continue;
+        const double off = off_plane(network.topology, edge, plane).distance;
+        if (off <= near_plane * network.topology.size) {
+            move_onto(network, edge, plane);
+            continue;
+        }
+        on_plane = false;
+        strays.edges.insert(index);
+        if (strays.side == nullptr) strays = {&name, index, off, strays.edges};
     }
-    move_onto(network, edge, plane);
-    return true;
+    return on_plane;
+}
+
+/// The plane that some edges are on after all: "z = 0"; empty where there is none.
+std::string plane_in_common(Topology& topology, const std::set<int>& edges) {
+    const double near = near_plane * topology.size;
+    for (const int axis : {0, 1, 2}) {
+        Vec3 first =
+            position(topology, topology.edges[static_cast<std::size_t>(*edges.begin())].start);
+        const double value = coordinate(first, axis);
+        const AxisPlane plane{axis, std::abs(value) <= near ? 0 : value};
+        const bool all = std::all_of(edges.begin(), edges.end(), [&](int edge) {
+            return off_plane(topology, topology.edges[static_cast<std::size_t>(edge)], plane)
+                       .distance <= near;
+        });
+        if (all) return plane_text(plane);
+    }
+    return {};
+}
+
+/// Tells once what of a boundary is off its plane.
+void tell_strays(Network& network, const BoundaryEntry& entry, const Strays& strays,
+                 Diagnostics& diagnostics) {
+    const std::size_t others = strays.edges.size() - 1;
+    const std::string more =
+        others == 0 ? std::string()
+                    : fmt::format(", and so {} {} more of boundary {}", others == 1 ? "is" : "are",
+                                  others, quoted(entry.name.value));
+    const std::string instead =
+        others == 0 ? std::string() : plane_in_common(network.topology, strays.edges);
+    diagnostics.error(
+        strays.side->place,
+        fmt::format("edge {} is {} off the {} {}{}", quoted(network.edge(strays.edge).name),
+                    number_text(strays.distance),
+                    entry.type.value == "BCSymmetryPlane" ? "symmetry plane" : "plane",
+                    plane_text(entry.plane->value), more),
+        instead.empty() ? "every point of the side must be on the plane, to 1e-9 of the size of "
+                          "the grid"
+                        : fmt::format("they are on the plane {}: write that", instead));
+}
+
+/// The side of a name, where it is one of the grid.
+std::optional<int> side_named(const Network& network, const std::string& name) {
+    std::optional<int> side;
+    if (network.three_dimensional) {
+        side = find_face(network.face_names, name);
+    } else if (const auto edge = find_edge(network.edge_names, name)) {
+        side = edge->edge;
+    }
+    return side && *side >= 0 ? side : std::nullopt;
+}
+
+/// Moves the sides of a boundary exactly onto its plane, or tells what is off it.
+void settle_boundary(Network& network, const BoundaryEntry& entry, Diagnostics& diagnostics) {
+    Strays strays;
+    for (const Name& name : entry.sides) {
+        const std::optional<int> side = side_named(network, name.value);
+        if (!side) continue;
+        const bool on_plane = settle(network, name, *side, entry.plane->value, strays);
+        if (on_plane && network.three_dimensional) {
+            network.topology.faces[static_cast<std::size_t>(*side)].plane = entry.plane->value;
+        }
+    }
+    if (strays.side != nullptr) tell_strays(network, entry, strays, diagnostics);
 }
 
 }  // namespace
@@ -148,27 +219,8 @@ void resolve_planes(Network& network, const Case& c, Diagnostics& diagnostics) {
     }
     for (const BoundaryEntry& entry : c.boundaries) {
         if (!entry.plane) continue;
-        const NameTable& names =
-            network.three_dimensional ? network.face_names : network.edge_names;
-        for (const Name& name : entry.sides) {
-            std::optional<int> side;
-            if (network.three_dimensional) {
-                side = find_face(names, name.value);
-            } else if (const auto edge = find_edge(names, name.value)) {
-                side = edge->edge;
-            }
-            if (!side || *side < 0) continue;
-            bool on_plane = true;
-            for (const int edge : edges_of_side(network, *side)) {
-                on_plane = settle(network, network.edge(edge), entry.plane->value, name.place,
-                                  diagnostics) &&
-                           on_plane;
-            }
-            if (on_plane && network.three_dimensional) {
-                network.topology.faces[static_cast<std::size_t>(*side)].plane = entry.plane->value;
-            }
-            moved = true;
-        }
+        settle_boundary(network, entry, diagnostics);
+        moved = true;
     }
     if (moved) straighten(network);
 }

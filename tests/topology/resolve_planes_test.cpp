@@ -93,3 +93,13 @@ boundaries:
     const Vec3 middle = evaluate(*named(t.edges, "ab").curve, 0.5);
     CHECK(std::hypot(middle.x, middle.y) == Approx(1).epsilon(1e-14));
 }
+
+TEST_CASE("a plane that a whole boundary is off is told once, with the right one") {
+    std::string text = arched("");
+    text.replace(text.find("sides: [a-b-c-d, c-d-h-g, e-f-g-h, "), 35,
+                 "sides: [a-b-c-d, c-d-h-g, ");
+    text += "  lid: {type: BCInflow, plane: \"z = 2\", sides: e-f-g-h}\n";
+    CHECK(faults(text) ==
+          "13: error: edge 'e-f' is 1 off the plane z = 2, and so are 3 more of boundary 'lid'\n"
+          "  hint: they are on the plane z = 1: write that\n");
+}
