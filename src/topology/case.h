@@ -290,6 +290,7 @@ struct Case {
     std::vector<JoinedPart> joined;
     std::vector<LeftOutEntry> left_out;      ///< for messages about names that are not there
     std::vector<std::string> lost_sections;  ///< keys of those that could not be read
+    std::vector<std::string> lost_scopes;    ///< "root." of instances that could not be made
     std::string provenance;                  ///< version, hash of the config, overrides
 };
 

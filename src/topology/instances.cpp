@@ -230,10 +230,13 @@ void instantiate(Expansion& all, const YamlNode& instance) {
     const std::string full = qualified(instance.key, instance.scope);
     const std::string what = fmt::format("instance '{}'", shown(full));
     if (!check_new_name(reading, instance, "instance")) return;
-    if (!expect_mapping(reading, instance, what, "instance")) return;
-    const YamlNode* component = component_of(all, instance, what);
-    if (component == nullptr || !component->is_mapping()) return;
-    if (!has_room(all, instance, *component)) return;
+    const YamlNode* component = expect_mapping(reading, instance, what, "instance")
+                                    ? component_of(all, instance, what)
+                                    : nullptr;
+    if (component == nullptr || !component->is_mapping() || !has_room(all, instance, *component)) {
+        reading.lost_scopes.push_back(full + ".");
+        return;
+    }
 
     const ScopePointer scope = scope_of(all, instance, what);
     YamlNode copy = *component;

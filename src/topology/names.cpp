@@ -60,6 +60,12 @@ std::optional<int> NameTable::require(const Name& name, Diagnostics& diagnostics
     return index;
 }
 
+bool NameTable::is_lost(const std::string& name) const {
+    const std::vector<std::string> parts = split_at_hyphens(name);
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const std::string& p) { return is_in_scope(p, lost_scopes_); });
+}
+
 bool NameTable::is_made_of_vertices(const std::string& name) const {
     const std::vector<std::string> parts = split_at_hyphens(name);
     return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [&](const std::string& p) {
@@ -105,7 +111,7 @@ void NameTable::report_unknown(const Name& name, Diagnostics& diagnostics) {
 }
 
 void NameTable::tell_unknown(const Name& name, Diagnostics& diagnostics) const {
-    if (incomplete_) return;
+    if (incomplete_ || is_lost(name.value)) return;
     const auto left_out = left_out_.find(name.value);
     if (left_out != left_out_.end()) {
         tell_left_out(kind_, name, left_out->second, diagnostics);
@@ -137,6 +143,11 @@ std::optional<NamedEdge> find_edge(const NameTable& edges, const std::string& na
 std::optional<int> find_face(const NameTable& faces, const std::string& name) {
     if (const auto index = faces.find(name)) return index;
     return faces.find(canonical_name(name));
+}
+
+bool is_in_scope(const std::string& name, const std::vector<std::string>& scopes) {
+    return std::any_of(scopes.begin(), scopes.end(),
+                       [&](const std::string& scope) { return name.starts_with(scope); });
 }
 
 void tell_left_out(const std::string& kind, const Name& name, const Place& when,

@@ -44,6 +44,8 @@ public:
     void note_left_out(const LeftOutEntry& entry) { left_out_[entry.name] = entry.when; }
     /// Some of the names are not known: none is told as unknown.
     void set_incomplete() { incomplete_ = true; }
+    /// Nor are those that begin with this: "root.".
+    void set_lost(const std::string& scope) { lost_scopes_.push_back(scope); }
     /// Notes that what the canonical name `made` would stand for was drawn, under a name of its
     /// own: for the hint when somebody asks for `made`.
     void note_drawn(const std::string& made, const std::string& drawn);
@@ -51,6 +53,7 @@ public:
     void renumber(const std::vector<int>& new_index);
 
 private:
+    bool is_lost(const std::string& name) const;
     /// Whether a name has the form of one that is made, "a-b", of vertices that there are.
     bool is_made_of_vertices(const std::string& name) const;
     std::string hint_for(const Name& name) const;
@@ -60,6 +63,7 @@ private:
     std::map<std::string, std::vector<std::string>> drawn_;
     std::map<std::string, std::string> others_;
     std::map<std::string, Place> left_out_;
+    std::vector<std::string> lost_scopes_;
     bool incomplete_ = false;
     bool unknown_asked_ = false;
 };
@@ -74,6 +78,9 @@ struct NamedEdge {
 std::optional<NamedEdge> find_edge(const NameTable& edges, const std::string& name);
 /// Finds a face by its name or, for one that was made, by its corners in any cyclic order.
 std::optional<int> find_face(const NameTable& faces, const std::string& name);
+
+/// Whether a name is of one of these instances, "root.".
+bool is_in_scope(const std::string& name, const std::vector<std::string>& scopes);
 
 /// Tells the use of a name whose entry is left out for its condition. `kind` in the singular.
 void tell_left_out(const std::string& kind, const Name& name, const Place& when,

@@ -178,6 +178,7 @@ Case read_case(const std::shared_ptr<const SourceFile>& source,
     append_parameters(c.parameters, instances.parameters);
     c.files = std::move(reading.files);
     c.lost_sections = std::move(reading.lost_sections);
+    c.lost_scopes = std::move(reading.lost_scopes);
     return c;
 }
 

@@ -55,6 +55,7 @@ struct Reading {
     std::vector<LeftOutEntry> left_out{};
     std::vector<Name> files{};                    ///< data files and included ones: their paths
     std::vector<std::string> lost_sections{};     ///< keys of those that could not be read
+    std::vector<std::string> lost_scopes{};       ///< "root." of instances that could not be made
     int repeated = 0;                             ///< entries that repetition has made
     std::map<std::string, YamlNode> replaced{};   ///< parameters that an include gives a value
     std::map<std::string, YamlNode> overrides{};  ///< that the command line gives one

@@ -68,6 +68,7 @@ std::shared_ptr<const Shape> seen_from(const ShapeOfFile<Shape>& entry, const Sc
 template <class Shape>
 void tell_unknown(Shapes& shapes, const std::vector<ShapeOfFile<Shape>>& entries,
                   const YamlNode& node, const std::string& name, const std::string& kind) {
+    if (is_in_scope(name, shapes.reading.lost_scopes)) return;
     for (const LeftOutEntry& entry : shapes.reading.left_out) {
         if (entry.section != kind + "s" || entry.name != name) continue;
         tell_left_out(kind, {name, node.place}, entry.when, shapes.reading.diagnostics);

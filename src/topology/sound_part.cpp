@@ -134,7 +134,8 @@ void warn_unused(Draft& draft) {
 Network sound_part(Draft& draft) {
     const Kept kept = what_is_kept(draft);
     Network network;
-    network.intact = all_sound(draft) && draft.c.lost_sections.empty();
+    network.intact =
+        all_sound(draft) && draft.c.lost_sections.empty() && draft.c.lost_scopes.empty();
     network.three_dimensional = draft.three_dimensional();
     const int otherwise = network.intact ? dropped_unused : dropped_faulty;
     const std::vector<int> vertices = new_indices(kept.vertices, otherwise);

@@ -175,3 +175,27 @@ TEST_CASE("a fault of a component shows the line that uses it") {
     CHECK(text.find("case.yaml:20:20: error: unknown parameter 'unknown'") != std::string::npos);
     CHECK(text.find("case.yaml:22:3: note: in instance 'one', written here") != std::string::npos);
 }
+
+TEST_CASE("what an instance of an unknown component would have is not told besides") {
+    Diagnostics diagnostics;
+    try {
+        resolve(read(R"(instances:
+  one: {of: strip, set: {cells: 4}}
+  two: {of: stripe, set: {cells: 4}}
+edges:
+  across: {from: one.b, to: two.a, cells: 3}
+faces:
+  between: {imin: one.east, imax: two.west, jmin: across, jmax: one.c-two.d}
+  other: {corners: [one.b, two.a, two.d, one.c]}
+boundaries:
+  more: {type: BCWall, sides: [across, two.east]}
+)",
+                     diagnostics),
+                diagnostics);
+    } catch (const InputError&) {
+        REQUIRE(diagnostics.all().size() == 1);
+        CHECK(diagnostics.all()[0].message == "unknown component 'stripe'");
+        CHECK(diagnostics.all()[0].hint == "did you mean 'strip'?");
+    }
+    CHECK(diagnostics.has_errors());
+}
