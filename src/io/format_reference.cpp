@@ -25,7 +25,8 @@ What stands where:
 
 - A number, length, angle, fraction or whole number may be an [expression](format.md#expressions) in parameters: `20 * chord`.
 - A point is `[x, y]` or `[x, y, z]`, a vector too. Lengths are in the `units` of the case; angles in radians unless said.
-- A name is letters, digits and underscores, no digit first. An edge or face that nobody drew is named after its corners: `a-b`.
+- A name is letters, digits and underscores, no digit first, and not what YAML reads as true or false: `y`, `n`, `yes`, `no`, `on`,
+  `off`, `true`, `false`. An edge or face that nobody drew is named after its corners: `a-b`.
 - Where several types are possible, each is told; "required" keys must be there; without a default the key does nothing when it
   is absent.
 )";

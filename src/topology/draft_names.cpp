@@ -44,6 +44,7 @@ void note_other_names(Draft& draft) {
                                                         names_of(c.vertices), names_of(c.edges),
                                                         names_of(c.faces)};
     const std::array<NamedKind, 5> kinds = kinds_of(draft);
+    const std::vector<std::string> blocks = names_of(c.blocks);
     for (std::size_t n = 0; n < kinds.size(); ++n) {
         for (const LeftOutEntry& entry : c.left_out) {
             if (entry.section == kinds[n].section) kinds[n].table.note_left_out(entry);
@@ -52,6 +53,8 @@ void note_other_names(Draft& draft) {
             c.lost_sections.end()) {
             kinds[n].table.set_incomplete();
         }
+        for (const std::string& scope : c.lost_scopes) kinds[n].table.set_lost(scope);
+        for (const std::string& name : blocks) kinds[n].table.note_other(name, "a block");
         for (std::size_t other = 0; other < kinds.size(); ++other) {
             if (other == n) continue;
             for (const std::string& name : names[other]) {

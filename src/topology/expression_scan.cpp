@@ -118,8 +118,18 @@ private:
     ExpressionFault foreign_character() const {
         std::size_t bytes = 1;
         while (at_ + bytes < text_.size() && is_utf8_continuation(text_[at_ + bytes])) ++bytes;
-        return {fmt::format("'{}' has no place in an expression", text_.substr(at_, bytes)),
-                remedy(std::string_view(text_).substr(at_, bytes)), at_, 1};
+        const char* hint = is_per_cent() ? "write per cent as a part of 1: 0.1 % is 0.001"
+                                         : remedy(std::string_view(text_).substr(at_, bytes));
+        return {fmt::format("'{}' has no place in an expression", text_.substr(at_, bytes)), hint,
+                at_, 1};
+    }
+
+    /// A '%' behind a value, with no other value behind it.
+    bool is_per_cent() const {
+        if (text_[at_] != '%' || !after_value_) return false;
+        const std::size_t next = text_.find_first_not_of(' ', at_ + 1);
+        return next == std::string::npos ||
+               std::string_view("+-*/)").find(text_[next]) != std::string_view::npos;
     }
 
     static const char* remedy(std::string_view character) {

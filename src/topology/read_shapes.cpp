@@ -141,6 +141,17 @@ std::optional<AirfoilSide> read_side(Reading& reading, const YamlNode& entry) {
     return choice ? std::optional(sides.at(*choice)) : std::nullopt;
 }
 
+/// Warns of five digits that are those of a six-digit section, NACA 64-012, without its hyphen.
+void warn_of_six_digits(Reading& reading, const YamlNode& code, const std::string& digits) {
+    if (digits.size() != 5 || digits[0] != '6' || digits[1] < '3' || digits[1] > '7') return;
+    reading.diagnostics.warning(
+        code.place,
+        fmt::format("'{}' is made as a five-digit section, of a design lift of 0.9", digits),
+        fmt::format("NACA {}-{}, of the six-digit series, has no formula: read its coordinates "
+                    "from a file, with 'airfoil'",
+                    digits.substr(0, 2), digits.substr(2)));
+}
+
 MaybeCurve read_naca(Reading& reading, const YamlNode& entry) {
     const YamlNode& code = *find(reading, entry, "naca");
     const auto digits = read_text(reading, code, "'naca'");
@@ -153,7 +164,9 @@ MaybeCurve read_naca(Reading& reading, const YamlNode& entry) {
                                                      words_of("curve_naca", "trailing_edge"));
     if (!digits || !chord || !side || !blunt) return std::nullopt;
     const TrailingEdge trailing = *blunt == 0 ? TrailingEdge::sharp : TrailingEdge::blunt;
-    return accept(reading, code, naca_airfoil(*digits, *chord, *side, trailing));
+    MaybeCurve curve = accept(reading, code, naca_airfoil(*digits, *chord, *side, trailing));
+    if (curve) warn_of_six_digits(reading, code, *digits);
+    return curve;
 }
 
 MaybeCurve read_airfoil_curve(Reading& reading, const YamlNode& entry) {
@@ -174,7 +187,8 @@ MaybeCurve read_airfoil_curve(Reading& reading, const YamlNode& entry) {
     if (!result.curve) {
         tell_file_fault(reading, name, file, result.error, result.line,
                         "an airfoil's file has lines of x and y, from the trailing edge round the "
-                        "nose (Selig) or from the nose twice (Lednicer)");
+                        "nose (Selig) or from the nose twice (Lednicer); of one side alone say "
+                        "'symmetric_half: true'");
     }
     return std::move(result.curve);
 }

@@ -176,3 +176,18 @@ TEST_CASE("curves lie on surfaces where their entries say") {
     runs("equator", {-1, 0, 0}, {-1, 0, 0});
     CHECK(read.curve("equator").closed);
 }
+
+TEST_CASE("a six-digit section without its hyphen is warned of") {
+    const Read read = read_text(R"(hexweave: 1
+curves:
+  six: {naca: "64012"}
+  five: {naca: "23012"}
+  four: {naca: "6412"}
+)");
+    REQUIRE(read.diagnostics.all().size() == 1);
+    const Diagnostic& warning = read.diagnostics.all()[0];
+    CHECK(warning.severity == Severity::warning);
+    CHECK(warning.place.line == 3);
+    CHECK(warning.message == "'64012' is made as a five-digit section, of a design lift of 0.9");
+    CHECK(warning.hint.find("NACA 64-012, of the six-digit series") == 0);
+}

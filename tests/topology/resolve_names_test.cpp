@@ -182,6 +182,17 @@ boundaries:
 )");
 }
 
+TEST_CASE("A block where a face is wanted is told to be one") {
+    CHECK(first_error(R"(
+vertices: {a: [0, 0, 0], b: [1, 0, 0], c: [1, 1, 0], d: [0, 1, 0], e: [0, 0, 1], f: [1, 0, 1], g: [1, 1, 1], h: [0, 1, 1]}
+edges: {ab: {from: a, to: b, cells: 2}, ad: {from: a, to: d, cells: 2}, ae: {from: a, to: e, cells: 2}}
+blocks: {middle: {corners: [a, b, c, d, e, f, g, h]}}
+boundaries: {wall: {type: BCWall, sides: [middle]}}
+)") == R"(5: error: unknown face 'middle'
+  hint: 'middle' is a block; the name of a face is wanted here
+)");
+}
+
 TEST_CASE("A file without faces and blocks describes no grid") {
     const std::string text = R"(
 title: nothing
