@@ -54,15 +54,24 @@ inline Node donor_node(const Interface& interface, const Node& n) {
 struct Family {
     std::string name;
     std::string type;
+    /// A file names it and does not say its type, which is that of its first patch.
+    bool undeclared = false;
 };
 
-/// A part of one zone's boundary that belongs to a family. `name` is the face (edge) it came from.
+/// A part of one zone's boundary that belongs to a family. `name` is the face (edge) it came from;
+/// `type` is its own CGNS BCType, where a file says another than the family's.
 struct BoundaryPatch {
     std::string name;
     int zone = 0;
     IndexBox box;
     int family = 0;
+    std::string type = {};
 };
+
+/// The type of a patch: its own, or that of its family.
+inline const std::string& type_of(const BoundaryPatch& patch, const std::vector<Family>& families) {
+    return patch.type.empty() ? families[static_cast<std::size_t>(patch.family)].type : patch.type;
+}
 
 struct MultiblockGrid {
     std::string title;

@@ -235,9 +235,19 @@ int read_family(const CgnsSource& source, int zone, int number, const Condition&
     });
     const int index = static_cast<int>(place - families.begin());
     if (place == families.end()) {
-        families.push_back({family, condition.type == FamilySpecified ? "UserDefined" : type});
+        families.push_back(
+            {family, condition.type == FamilySpecified ? "UserDefined" : type, true});
     }
     return index;
+}
+
+/// What a boundary condition says its type is, where its family does not say the same; empty where
+/// it leaves the type to its family.
+std::string own_type(BCType_t type, const Family& family) {
+    if (!family.undeclared && (type == FamilySpecified || type == BCTypeNull)) return {};
+    const std::string name = boundary_type_name(type == FamilySpecified ? BCTypeUserDefined : type);
+    // The family's "UserDefined:NAME" says more.
+    return family.type == name || family.type.starts_with(name + ":") ? std::string() : name;
 }
 
 }  // namespace
@@ -271,7 +281,9 @@ void read_patches(const CgnsSource& source, GridOutline& grid) {
                 read_condition(source, zone_of(grid, zone).name, zone, number);
             const IndexBox box = read_nodes(source, grid, zone, number, condition);
             const int family = read_family(source, zone, number, condition, grid.families);
-            grid.patches.push_back({condition.name.data(), zone, box, family});
+            grid.patches.push_back(
+                {condition.name.data(), zone, box, family,
+                 own_type(condition.type, grid.families[static_cast<std::size_t>(family)])});
         }
     }
 }

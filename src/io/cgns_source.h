@@ -49,7 +49,8 @@ void read_points(const CgnsSource& source, const GridOutline& grid, int zone, co
 void read_interfaces(const CgnsSource& source, GridOutline& grid);
 
 /// Adds the boundary conditions of all zones of `grid` as patches, and the families that the file
-/// does not declare: one called like its type for each literal type without a family.
+/// does not declare: one called like its type for each literal type without a family. A patch whose
+/// own type is not its family's keeps it.
 void read_patches(const CgnsSource& source, GridOutline& grid);
 
 /// The nodes of the file that no function here reads, by kind, in the order of the tree.

@@ -31,6 +31,16 @@ bool is_user_defined(const std::string& type) {
     throw UsageError(fmt::format("a CGNS file cannot hold this grid: {}", fact));
 }
 
+void require_known_type(const char* what, const std::string& name, const std::string& type) {
+    if (is_user_defined(type) || boundary_type(type)) return;
+    cannot_hold(
+        fmt::format("{} '{}' has the type '{}', which CGNS does not know", what, name, type));
+}
+
+BCType_t type_to_write(const std::string& type) {
+    return is_user_defined(type) ? BCTypeUserDefined : *boundary_type(type);
+}
+
 /// One list of names under the base of a CGNS file: zones, families and the base's own nodes.
 void check_names(const MultiblockGrid& grid) {
     std::set<std::string> taken{title_descriptor, provenance_descriptor, "DataClass",
@@ -50,10 +60,10 @@ void check_names(const MultiblockGrid& grid) {
     for (const Zone& zone : grid.zones) take("zone", zone.name);
     for (const Family& family : grid.families) {
         take("family", family.name);
-        if (!is_user_defined(family.type) && !boundary_type(family.type)) {
-            cannot_hold(fmt::format("family '{}' has the type '{}', which CGNS does not know",
-                                    family.name, family.type));
-        }
+        require_known_type("family", family.name, family.type);
+    }
+    for (const BoundaryPatch& patch : grid.patches) {
+        if (!patch.type.empty()) require_known_type("patch", patch.name, patch.type);
     }
     if (!grid.units.empty() && !length_unit(grid.units)) {
         cannot_hold(fmt::format("CGNS has no unit '{}' (it has m, cm, mm, ft, in)", grid.units));
@@ -153,10 +163,9 @@ private:
         int number = 0;
         int condition = 0;
         check(cg_family_write(file_, base_, family.name.c_str(), &number));
-        const bool own_type = is_user_defined(family.type);
-        const BCType_t type = own_type ? BCTypeUserDefined : *boundary_type(family.type);
-        check(cg_fambc_write(file_, base_, number, "FamBC", type, &condition));
-        if (!own_type) return;
+        check(
+            cg_fambc_write(file_, base_, number, "FamBC", type_to_write(family.type), &condition));
+        if (!is_user_defined(family.type)) return;
         const std::string meaning =
             family.type.size() > user_defined.size() + 1
                 ? family.type.substr(user_defined.size() + 1, longest_cgns_name)
@@ -243,9 +252,10 @@ private:
             const int zone = zone_numbers_[index];
             const std::string name = unique_name(patch.name, taken[index]);
             const Range range = point_range(patch.box, grid_.cell_dimension);
+            const BCType_t type = patch.type.empty() ? FamilySpecified : type_to_write(patch.type);
             int number = 0;
-            check(cg_boco_write(file_, base_, zone, name.c_str(), FamilySpecified, PointRange, 2,
-                                range.data(), &number));
+            check(cg_boco_write(file_, base_, zone, name.c_str(), type, PointRange, 2, range.data(),
+                                &number));
             check(cg_boco_gridlocation_write(file_, base_, zone, number, Vertex));
             check(cg_goto(file_, base_, "Zone_t", zone, "ZoneBC_t", 1, "BC_t", number, "end"));
             check(cg_famname_write(

@@ -16,8 +16,9 @@ namespace hexweave {
 /// Writes the interfaces as ONE_TO_ONE (periodic ones as PERIODIC, with what carries one side onto
 /// the other in a comment) and each patch under the name of its family. What the format
 /// has no place for (title, units, provenance, names of zones, patches and interfaces, types of
-/// families) stands in comments that begin with "# hexweave:", which read_neutral_map understands.
-/// Throws MachineError, and UsageError for a family with a name that the format cannot hold.
+/// families, patches of another type than theirs) stands in comments that begin with "# hexweave:",
+/// which read_neutral_map understands. Throws MachineError, and UsageError for a family with a name
+/// that the format cannot hold.
 void write_neutral_map(const MultiblockGrid& grid, const std::filesystem::path& path);
 
 /// Adds to a grid read from Plot3D what its map says. A planar grid may have the map of the same

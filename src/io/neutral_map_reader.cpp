@@ -121,6 +121,7 @@ private:
         if (key == "provenance") grid_.provenance = value;
         if (key == "zone") zone_name_ = value;
         if (key == "name") entry_name_ = value;
+        if (key == "type") entry_type_ = value;
         if (key == "periodic") read_periodicity(split(value));
         const std::size_t gap = value.find(' ');
         if (key == "family" && gap != std::string::npos) {
@@ -225,12 +226,13 @@ private:
         const std::string word = map_word(words[0]);
         const Range range = read_range(words, 1);
         const std::string name = std::exchange(entry_name_, {});
+        const std::string type = std::exchange(entry_type_, {});
         if (word == "PATCHED") fail("interfaces that are not one-to-one are not read");
         const bool joins_periodic = word == periodic_word && words.size() > 1 + range_words;
         if (joins_periodic && !periodic_) fail("what carries one side onto the other is not said");
         if (word != "ONE_TO_ONE" && !joins_periodic) {
             if (words.size() > 1 + range_words) fail("a boundary has six numbers");
-            add_patch(words[0], name, range);
+            add_patch(words[0], name, type, range);
             return;
         }
         const std::string swap =
@@ -264,7 +266,8 @@ private:
         return left_out_ >= 0 ? normal == left_out_ : normal >= grid_.cell_dimension;
     }
 
-    void add_patch(const std::string& family, const std::string& name, const Range& range) {
+    void add_patch(const std::string& family, const std::string& name, const std::string& type,
+                   const Range& range) {
         if (is_left_out(range)) return;
         IndexBox box = without_left_out(range.box);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -274,7 +277,7 @@ private:
                                         [&](const Family& known) { return known.name == family; });
         const int index = static_cast<int>(place - grid_.families.begin());
         if (place == grid_.families.end()) grid_.families.push_back({family, type_of(family)});
-        grid_.patches.push_back({name.empty() ? family : name, range.zone, box, index});
+        grid_.patches.push_back({name.empty() ? family : name, range.zone, box, index, type});
     }
 
     static std::string type_of(const std::string& family) {
@@ -336,6 +339,7 @@ private:
     int left_out_ = -1;  ///< the axis of the map that a planar grid does not have
     std::string zone_name_;
     std::string entry_name_;
+    std::string entry_type_;
     std::optional<Periodicity> periodic_;
 };
 

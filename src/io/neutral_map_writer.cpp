@@ -81,6 +81,7 @@ void write_patch(const MultiblockGrid& grid, const BoundaryPatch& patch, ByteWri
     const std::size_t face = face_number(patch.box, grid.zones[zone], grid.cell_dimension,
                                          fmt::format("patch '{}'", patch.name));
     file.put(fmt::format("{}name {}\n", map_comment, on_one_line(patch.name)));
+    if (!patch.type.empty()) file.put(fmt::format("{}type {}\n", map_comment, patch.type));
     file.put(fmt::format("{:<16}{}\n",
                          entry_type(grid.families[static_cast<std::size_t>(patch.family)].name),
                          range_text(zone, face, patch.box)));

@@ -230,6 +230,7 @@ private:
 }  // namespace
 
 PolyMesh make_poly_mesh(const MultiblockGrid& grid) {
+    if (has_types_of_patches(grid)) return make_poly_mesh(with_types_of_families(grid));
     if (grid.cell_dimension == 2) return Builder(one_cell_thick(grid)).build();
     return Builder(grid).build();
 }

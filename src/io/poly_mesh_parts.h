@@ -17,6 +17,13 @@ namespace hexweave {
 /// `empty`. Throws UsageError for a surface that is not flat in z.
 MultiblockGrid one_cell_thick(const MultiblockGrid& planar);
 
+/// Whether any patch has another type than its family.
+bool has_types_of_patches(const MultiblockGrid& grid);
+
+/// The same grid with such patches in families of their own, of the same name, for a patch of
+/// OpenFOAM has one type.
+MultiblockGrid with_types_of_families(const MultiblockGrid& grid);
+
 /// Points of the mesh, and the point of every node.
 struct PointNumbering {
     std::vector<Vec3> points;                 ///< in metres

@@ -40,6 +40,28 @@ bool is_plane(const PolyMesh& mesh, const PolyPatch& patch) {
 
 }  // namespace
 
+bool has_types_of_patches(const MultiblockGrid& grid) {
+    return std::any_of(grid.patches.begin(), grid.patches.end(),
+                       [](const BoundaryPatch& patch) { return !patch.type.empty(); });
+}
+
+MultiblockGrid with_types_of_families(const MultiblockGrid& grid) {
+    MultiblockGrid result = grid;
+    for (BoundaryPatch& patch : result.patches) {
+        if (patch.type.empty()) continue;
+        const std::string& name = grid.families[static_cast<std::size_t>(patch.family)].name;
+        const auto place = std::find_if(
+            result.families.begin() + static_cast<std::ptrdiff_t>(grid.families.size()),
+            result.families.end(),
+            [&](const Family& f) { return f.name == name && f.type == patch.type; });
+        const auto index = place - result.families.begin();
+        if (place == result.families.end()) result.families.push_back({name, patch.type});
+        patch.family = static_cast<int>(index);
+        patch.type.clear();
+    }
+    return result;
+}
+
 std::string patch_name(const std::string& family, const std::vector<PolyPatch>& taken) {
     std::string word = family;
     std::replace_if(

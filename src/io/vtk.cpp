@@ -50,7 +50,7 @@ std::vector<VtkText> texts_of(const MultiblockGrid& grid, const VtkPiece& piece)
         const Family& family = grid.families[static_cast<std::size_t>(patch.family)];
         texts.push_back({"Patch", patch.name});
         texts.push_back({"Family", family.name});
-        texts.push_back({"Type", family.type});
+        texts.push_back({"Type", type_of(patch, grid.families)});
     }
     return texts;
 }

@@ -26,16 +26,24 @@ struct Boundary {
     int zone = 0;
     IndexBox box;
     std::string family;
+    std::string type;
+    bool by_family = false;  ///< the type is its family's, which the file declares
 
-    auto key() const { return std::tie(zone, box.begin, box.end, family); }
+    auto key() const { return std::tie(zone, box.begin, box.end, family, type); }
 };
+
+Boundary boundary(const OutlineComparison& c, const ZoneMatch& match, const GridOutline& grid,
+                  const BoundaryPatch& patch) {
+    const Family& family = grid.families[static_cast<std::size_t>(patch.family)];
+    return {match.candidate, carried(c, match, patch.box), family.name,
+            type_of(patch, grid.families), patch.type.empty() && !family.undeclared};
+}
 
 std::vector<Boundary> boundaries_of_candidate(const OutlineComparison& c) {
     std::vector<Boundary> list;
     for (const BoundaryPatch& patch : c.candidate.patches) {
         if (!c.of_candidate[static_cast<std::size_t>(patch.zone)]) continue;
-        list.push_back({patch.zone, carried(c, {patch.zone, 0, {}}, patch.box),
-                        c.candidate.families[static_cast<std::size_t>(patch.family)].name});
+        list.push_back(boundary(c, {patch.zone, 0, {}}, c.candidate, patch));
     }
     return list;
 }
@@ -44,11 +52,51 @@ std::vector<Boundary> boundaries_of_golden(const OutlineComparison& c) {
     std::vector<Boundary> list;
     for (const BoundaryPatch& patch : c.golden.patches) {
         const auto& match = c.of_golden[static_cast<std::size_t>(patch.zone)];
-        if (!match) continue;
-        list.push_back({match->candidate, carried(c, *match, patch.box),
-                        c.golden.families[static_cast<std::size_t>(patch.family)].name});
+        if (match) list.push_back(boundary(c, *match, c.golden, patch));
     }
     return list;
+}
+
+/// "zone 'wing', nodes [1, 1, 1] to [9, 5, 1]".
+std::string place_of(const OutlineComparison& c, const Boundary& b) {
+    return fmt::format("zone '{}', nodes {}", c.zone(b.zone).name,
+                       to_text(b.box, c.candidate.cell_dimension));
+}
+
+/// Pairs boundaries with golden ones that `alike` accepts and tells of each pair what `text` says,
+/// if anything; both are taken out.
+template <class Alike, class Text>
+void tell_pairs(OutlineComparison& c, std::vector<Boundary>& own, std::vector<Boundary>& golden,
+                Alike&& alike, Text&& text) {
+    std::vector<Boundary> rest;
+    for (const Boundary& b : own) {
+        const auto other = take(golden, [&](const Boundary& g) { return alike(b, g); });
+        if (!other) {
+            rest.push_back(b);
+            continue;
+        }
+        const std::string said = text(b, *other);
+        if (!said.empty()) c.tell("boundary", place_of(c, b) + ": " + said);
+    }
+    own = std::move(rest);
+}
+
+bool same_nodes(const Boundary& b, const Boundary& g) {
+    return b.zone == g.zone && b.box == g.box;
+}
+
+bool same_family(const Boundary& b, const Boundary& g) {
+    return b.zone == g.zone && b.family == g.family;
+}
+
+/// Nothing where the two families tell it.
+std::string types_text(const Boundary& b, const Boundary& g) {
+    if (b.by_family && g.by_family) return {};
+    return fmt::format("boundary '{}' is of type {}, golden {}", b.family, b.type, g.type);
+}
+
+std::string families_text(const Boundary& b, const Boundary& g) {
+    return fmt::format("the boundary is of family '{}', golden '{}'", b.family, g.family);
 }
 
 }  // namespace
@@ -57,33 +105,23 @@ void compare_boundaries(OutlineComparison& c) {
     std::vector<Boundary> own = boundaries_of_candidate(c);
     std::vector<Boundary> golden = boundaries_of_golden(c);
     keep_unlike(own, golden);
-    const int axes = c.candidate.cell_dimension;
-    const auto where = [&c, axes](const Boundary& b) {
-        return fmt::format("zone '{}', nodes {}", c.zone(b.zone).name, to_text(b.box, axes));
-    };
-    // A family that was changed first, then a range, so that one fault is told once.
-    std::vector<Boundary> rest;
+    // A type that was changed first, then a family, then a range, so that one fault is told once.
+    tell_pairs(
+        c, own, golden,
+        [](const Boundary& b, const Boundary& g) { return same_nodes(b, g) && same_family(b, g); },
+        types_text);
+    tell_pairs(c, own, golden, same_nodes, families_text);
+    tell_pairs(c, own, golden, same_family, [&c](const Boundary& b, const Boundary& g) {
+        return fmt::format("boundary '{}', golden nodes {}", b.family,
+                           to_text(g.box, c.candidate.cell_dimension));
+    });
     for (const Boundary& b : own) {
-        const auto other =
-            take(golden, [&b](const Boundary& g) { return g.zone == b.zone && g.box == b.box; });
-        if (!other) {
-            rest.push_back(b);
-            continue;
-        }
-        c.tell("boundary", fmt::format("{}: the boundary is of family '{}', golden '{}'", where(b),
-                                       b.family, other->family));
-    }
-    for (const Boundary& b : rest) {
-        const auto other = take(
-            golden, [&b](const Boundary& g) { return g.zone == b.zone && g.family == b.family; });
-        c.tell("boundary", other ? fmt::format("{}: boundary '{}', golden nodes {}", where(b),
-                                               b.family, to_text(other->box, axes))
-                                 : fmt::format("{}: boundary '{}' is not in the golden grid",
-                                               where(b), b.family));
+        c.tell("boundary", fmt::format("{}: boundary '{}' is not in the golden grid",
+                                       place_of(c, b), b.family));
     }
     for (const Boundary& g : golden) {
-        c.tell("boundary",
-               fmt::format("{}: boundary '{}' of the golden grid is missing", where(g), g.family));
+        c.tell("boundary", fmt::format("{}: boundary '{}' of the golden grid is missing",
+                                       place_of(c, g), g.family));
     }
 }
 

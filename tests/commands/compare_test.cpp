@@ -23,6 +23,7 @@
 using namespace hexweave;
 using namespace hexweave::testing;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 using Json = nlohmann::json;
 
@@ -165,6 +166,38 @@ TEST_CASE("an interface range off by one fails") {
     const Finished run = scratch.hexweave(compare);
     CHECK(run.exit_code == 1);
     CHECK_THAT(run.out, Contains("different: 1 interface\n"));
+}
+
+TEST_CASE("a boundary of another type fails, whatever its family says") {
+    const Scratch scratch;
+    const auto write = [&](const char* name, BCType_t declared, BCType_t second) {
+        write_box(scratch.path() / name, [&](int file, int base, int zone) {
+            int number = 0;
+            cg_family_write(file, base, "shell", &number);
+            if (declared != BCTypeNull) {
+                int condition = 0;
+                cg_fambc_write(file, base, number, "FamBC", declared, &condition);
+            }
+            const cgsize_t ranges[2][6] = {{1, 1, 1, 3, 4, 1}, {1, 1, 5, 3, 4, 5}};
+            for (int n = 0; n < 2; ++n) {
+                cg_boco_write(file, base, zone, n == 0 ? "low" : "high", n == 0 ? BCWall : second,
+                              PointRange, 2, ranges[n], &number);
+                cg_goto(file, base, "Zone_t", zone, "ZoneBC_t", 1, "BC_t", number, "end");
+                cg_famname_write("shell");
+            }
+        });
+    };
+    for (const BCType_t declared : {BCTypeNull, BCWall}) {
+        write("golden.cgns", declared, BCWall);
+        write("new.cgns", declared, BCInflow);
+        const Finished run = scratch.hexweave("compare new.cgns golden.cgns");
+        INFO(run.out << run.err);
+        CHECK(run.exit_code == 1);
+        CHECK_THAT(run.out, Contains("boundary: zone 'box', nodes [1, 1, 5] to [3, 4, 5]: boundary "
+                                     "'shell' is of type BCInflow, golden BCWall\n"
+                                     "different: 1 boundary\n"));
+        CHECK(scratch.hexweave("compare new.cgns new.cgns").exit_code == 0);
+    }
 }
 
 TEST_CASE("a renamed family fails") {

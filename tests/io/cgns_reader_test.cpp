@@ -100,6 +100,102 @@ TEST_CASE("Single precision, units on the coordinates and literal types are read
     }
 }
 
+TEST_CASE("A boundary's own type goes before its family's") {
+    const Scratch scratch;
+    struct Written {
+        BCType_t type;
+        const char* family;
+        std::string own;  ///< what is to be kept of it
+    };
+    const std::vector<Written> conditions{
+        {FamilySpecified, "declared", ""},  {BCWall, "declared", ""},
+        {BCInflow, "declared", "BCInflow"}, {BCTypeNull, "declared", ""},
+        {BCTypeUserDefined, "overset", ""}, {BCWall, "bare", ""},
+        {BCOutflow, "bare", "BCOutflow"},   {FamilySpecified, "bare", "UserDefined"}};
+    const auto path = other_program(scratch, CG_FILE_HDF5, 3, [&](int file, int base) {
+        int family = 0;
+        int number = 0;
+        cg_family_write(file, base, "declared", &family);
+        cg_fambc_write(file, base, family, "FamBC", BCWall, &number);
+        cg_family_write(file, base, "overset", &family);
+        cg_fambc_write(file, base, family, "FamBC", BCTypeUserDefined, &number);
+        cg_goto(file, base, "Family_t", family, "end");
+        cg_user_data_write("BCOverset");
+        cg_family_write(file, base, "bare", &family);
+        const int zone = single_precision_box(file, base, "box");
+        for (std::size_t n = 0; n < conditions.size(); ++n) {
+            const cgsize_t nodes[6] = {1, 1, 1, 3, 4, 1};
+            cg_boco_write(file, base, zone, ("patch" + std::to_string(n)).c_str(),
+                          conditions[n].type, PointRange, 2, nodes, &number);
+            cg_goto(file, base, "Zone_t", zone, "ZoneBC_t", 1, "BC_t", number, "end");
+            cg_famname_write(conditions[n].family);
+        }
+    });
+    const MultiblockGrid grid = read_cgns(path);
+    REQUIRE(grid.patches.size() == conditions.size());
+    for (std::size_t n = 0; n < conditions.size(); ++n) {
+        INFO(n);
+        CHECK(grid.patches[n].type == conditions[n].own);
+    }
+    REQUIRE(grid.families.size() == 3);
+    CHECK_FALSE(grid.families[0].undeclared);
+    CHECK(grid.families[2].undeclared);
+    CHECK(grid.families[2].type == "BCWall");
+
+    // What is read is written, and read again.
+    write_cgns(grid, scratch.path("again.cgns"));
+    const MultiblockGrid again = read_cgns(scratch.path("again.cgns"));
+    for (std::size_t n = 0; n < conditions.size(); ++n) {
+        CHECK(type_of(again.patches[n], again.families) == type_of(grid.patches[n], grid.families));
+    }
+}
+
+namespace {
+
+/// Where units may be said, from the outermost node to the innermost.
+enum class Place { base, zone, coordinates, array };
+
+void write_units(int file, int base, int zone, Place place, LengthUnits_t length,
+                 AngleUnits_t angle = AngleUnitsNull) {
+    const auto write = [&] {
+        REQUIRE(cg_units_write(MassUnitsNull, length, TimeUnitsNull, TemperatureUnitsNull, angle) ==
+                CG_OK);
+    };
+    if (place == Place::base) {
+        REQUIRE(cg_goto(file, base, "end") == CG_OK);
+        write();
+    } else if (place == Place::zone) {
+        REQUIRE(cg_goto(file, base, "Zone_t", zone, "end") == CG_OK);
+        write();
+    } else if (place == Place::coordinates) {
+        REQUIRE(cg_goto(file, base, "Zone_t", zone, "GridCoordinates_t", 1, "end") == CG_OK);
+        write();
+    } else {
+        for (int number = 1; number <= 3; ++number) {
+            REQUIRE(cg_goto(file, base, "Zone_t", zone, "GridCoordinates_t", 1, "DataArray_t",
+                            number, "end") == CG_OK);
+            write();
+        }
+    }
+}
+
+/// A periodic interface between imin and imax of the box, from the given side, without units.
+int periodic_interface(int file, int base, int zone, bool forth, std::array<float, 3> angle,
+                       std::array<float, 3> translation) {
+    const cgsize_t low[6] = {1, 1, 1, 1, 4, 2};
+    const cgsize_t high[6] = {3, 1, 1, 3, 4, 2};
+    const int transform[3] = {1, 2, 3};
+    const float center[3] = {0, 1, 0};
+    int number = 0;
+    REQUIRE(cg_1to1_write(file, base, zone, forth ? "forth" : "back", "box", forth ? low : high,
+                          forth ? high : low, transform, &number) == CG_OK);
+    REQUIRE(cg_1to1_periodic_write(file, base, zone, number, center, angle.data(),
+                                   translation.data()) == CG_OK);
+    return number;
+}
+
+}  // namespace
+
 TEST_CASE("An interface that is written on one side only is read once") {
     const Scratch scratch;
     const auto path = other_program(scratch, CG_FILE_HDF5, 3, [](int file, int base) {

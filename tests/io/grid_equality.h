@@ -65,6 +65,7 @@ inline void check_same_grid(const MultiblockGrid& grid, const MultiblockGrid& ex
         CHECK(grid.patches[n].zone == expected.patches[n].zone);
         CHECK(grid.patches[n].box == expected.patches[n].box);
         CHECK(grid.patches[n].family == expected.patches[n].family);
+        CHECK(grid.patches[n].type == expected.patches[n].type);
     }
 }
 

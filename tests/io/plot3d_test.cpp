@@ -63,6 +63,20 @@ TEST_CASE("A grid comes back to the bit from every form of Plot3D and its map") 
     }
 }
 
+TEST_CASE("A patch of another type than its family's comes back from Plot3D and CGNS") {
+    const Scratch scratch;
+    MultiblockGrid grid = joined_pair(3, 3, rotations(3)[7]);
+    grid.patches[1].type = "BCInflow";
+    grid.patches[2].type = "UserDefined";
+    write_both(grid, scratch.path("grid.xyz"), Plot3dForm::stream);
+    check_same_grid(read_grid(scratch.path("grid.xyz")), grid);
+    write_cgns(grid, scratch.path("grid.cgns"));
+    check_same_grid(read_grid(scratch.path("grid.cgns")), grid);
+    grid.patches[1].type = "wall";
+    CHECK_THROWS_WITH(write_cgns(grid, scratch.path("grid.cgns")),
+                      Contains("has the type 'wall', which CGNS does not know"));
+}
+
 TEST_CASE("The map holds every orientation: donor nodes are those of the interface") {
     const Scratch scratch;
     for (const int dimension : {2, 3}) {

@@ -337,6 +337,22 @@ TEST_CASE("Names of patches are words, each of its own") {
     CHECK(mesh.patches[2].name == "patch_1");
 }
 
+TEST_CASE("A patch of OpenFOAM has one type, whatever types a family has") {
+    MultiblockGrid grid = box(false);
+    const Extent extent = grid.zones[0].points.extent();
+    grid.families = {{"shell", "BCWall"}};
+    grid.patches = {{"p", 0, side_box(Side::imin, extent), 0, "BCInflow"},
+                    {"q", 0, side_box(Side::imax, extent), 0},
+                    {"r", 0, side_box(Side::jmin, extent), 0, "BCInflow"}};
+    const PolyMesh mesh = make_poly_mesh(grid);
+    CHECK(mesh.patches[0].name == "shell");
+    CHECK(mesh.patches[0].type == "wall");
+    CHECK(mesh.patches[1].name == "shell_2");
+    CHECK(mesh.patches[1].type == "patch");
+    CHECK(mesh.patches[0].count == 12);
+    CHECK(mesh.patches[1].count == 12 + 8);
+}
+
 TEST_CASE("What no mesh can hold is refused") {
     const auto refused = [](const MultiblockGrid& grid) {
         try {

@@ -12,6 +12,7 @@
 using namespace hexweave;
 using namespace hexweave::testing;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 
 namespace {
 
@@ -310,6 +311,28 @@ TEST_CASE("boundaries differ by family, by range, or by being there") {
     grid = golden;
     grid.patches[0].name = "another name";
     CHECK(compare(grid, golden).same());
+}
+
+TEST_CASE("a boundary of another type than its family's differs") {
+    const MultiblockGrid golden = three_blocks();
+    MultiblockGrid grid = golden;
+    grid.patches[2].type = "BCOutflow";
+    CHECK(only_difference(grid, golden).text ==
+          "zone 'left', nodes [1, 1, 1] to [1, 5, 6]: boundary 'ends' is of type BCOutflow, golden "
+          "BCInflow");
+    CHECK_THAT(only_difference(golden, grid).text, EndsWith("of type BCInflow, golden BCOutflow"));
+    CHECK(compare(grid, grid).same());
+    // Its own type or its family's: what counts is which it is.
+    MultiblockGrid said = golden;
+    said.patches[2].type = "BCInflow";
+    CHECK(compare(said, golden).same());
+    // A family that no file declares has as many types as its patches.
+    for (MultiblockGrid* side : {&grid, &said}) side->families[1].undeclared = true;
+    CHECK_THAT(only_difference(grid, said).text, EndsWith("of type BCOutflow, golden BCInflow"));
+    said.families[1].type = "BCOutflow";
+    said.patches[2].type = "BCOutflow";
+    said.patches[3].type = "BCInflow";
+    CHECK(compare(grid, said).same());
 }
 
 TEST_CASE("a renamed family, another type, another unit and another size differ") {
