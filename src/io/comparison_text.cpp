@@ -29,7 +29,7 @@ std::string node_text(const Node& node, int axes) {
 }
 
 std::string size_text(double size) {
-    return std::isinf(size) ? "no number" : size == 0 ? "0" : fmt::format("{:.3g}", size);
+    return std::isinf(size) ? "infinite" : size == 0 ? "0" : fmt::format("{:.3g}", size);
 }
 
 std::string zone_text(const ZoneComparison& zone) {
@@ -128,15 +128,22 @@ std::string verdict(const GridComparison& comparison) {
         "largest deviation {} cells, {}{}{}", size_text(all.in_cells.size),
         size_text(all.in_length.size), comparison.units.empty() ? "" : " ", comparison.units);
     if (comparison.same()) {
-        return fmt::format("same: {} in {}, within {:g} of a cell; {}",
+        // Below the floor no part of a cell counts.
+        const std::string floor =
+            all.in_cells.size > comparison.tolerance
+                ? fmt::format(" or round-off, {:.3g}{}{}", comparison.floor,
+                              comparison.units.empty() ? "" : " ", comparison.units)
+                : "";
+        return fmt::format("same: {} in {}, within {:g} of a cell{}; {}",
                            counted(all.points, "point"), counted(comparison.zones.size(), "zone"),
-                           comparison.tolerance, largest);
+                           comparison.tolerance, floor, largest);
     }
     std::string text = "different: ";
     if (all.beyond > 0) {
-        text += fmt::format("{} of {} beyond {:g} of a cell, {}", counted(all.beyond, "point"),
-                            all.points, comparison.tolerance, largest);
+        text += fmt::format("{} of {} beyond {:g} of a cell", counted(all.beyond, "point"),
+                            all.points, comparison.tolerance);
         if (all.not_finite > 0) text += fmt::format(", {} no finite number", all.not_finite);
+        if (std::isfinite(all.in_cells.size)) text += ", " + largest;
     }
     if (!comparison.differences.empty()) {
         text += all.beyond > 0 ? "; also " : "";

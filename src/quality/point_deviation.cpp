@@ -108,15 +108,18 @@ Deviation deviation_at(const Work& work, const Row& row, std::size_t n, double s
 void compare_row(const Work& work, const Row& row, Buffers& buffers, ZoneDeviation& found) {
     if (!measure_deviations(work, row, buffers.deviation)) return;
     measure_cells(work, row, buffers.edge);
-    const double tolerance = work.allowed.tolerance;
-    const double least_cell = work.allowed.floor * work.allowed.scale / tolerance;
+    const double tolerance = work.allowed.tolerance * work.allowed.tolerance;
+    const double floor = work.allowed.floor * work.allowed.scale;
     for (std::size_t n = 0; n < buffers.deviation.size(); ++n) {
         double square = buffers.deviation[n];
         if (square == 0) continue;
         if (std::isnan(square)) square = infinity;
-        const double edge = buffers.edge[n] == infinity ? 0 : buffers.edge[n];
-        const double in_cells = square / std::max(edge, least_cell * least_cell);
-        if (in_cells > tolerance * tolerance) ++found.beyond;
+        const double cell = buffers.edge[n] == infinity ? floor * floor : buffers.edge[n];
+        const double in_cells = square / cell;
+        // However small or large the tolerance: the floor is allowed, what is no number is not.
+        const bool is_beyond =
+            square == infinity || square > std::max(tolerance * cell, floor * floor);
+        found.beyond += is_beyond ? 1 : 0;
         if (square == infinity) {
             const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(row.candidate) +
                                       static_cast<std::ptrdiff_t>(n) * row.step;

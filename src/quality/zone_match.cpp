@@ -43,16 +43,19 @@ double far_between(const Vec3& a, const Vec3& b) {
     return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z);
 }
 
-/// The greatest distance between samples; stops where it exceeds `limit`.
+/// The greatest distance between samples; stops where it exceeds `limit`. Samples of the candidate
+/// that are no finite numbers say nothing of where its zone lies; infinite when none is left.
 double sample_distance(const Orientation& o, const ZoneSurvey& candidate, const ZoneSurvey& golden,
                        double limit) {
-    double greatest = 0;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double greatest = -1;
     for (std::size_t n = 0; n < candidate.samples.size(); ++n) {
+        if (!is_finite(candidate.samples[n])) continue;
         const double d = far_between(candidate.samples[n], golden.samples[mapped_sample(o, n)]);
-        if (!(d <= limit)) return std::numeric_limits<double>::infinity();
+        if (!(d <= limit)) return infinity;
         greatest = std::max(greatest, d);
     }
-    return greatest;
+    return greatest < 0 ? infinity : greatest;
 }
 
 struct Pair {

@@ -217,7 +217,8 @@ TEST_CASE("a number that is none fails, and a golden grid with one is refused") 
     });
     const Finished run = scratch.hexweave(compare);
     CHECK(run.exit_code == 1);
-    CHECK_THAT(run.out, Contains("1 no finite number"));
+    CHECK_THAT(run.out, Contains("different: 1 point of "));
+    CHECK_THAT(run.out, EndsWith(" beyond 0.0001 of a cell, 1 no finite number\n"));
     check_refused(scratch, goldens + "scherk.cgns new.cgns", "node (5, 8, 1) of zone");
     check_refused(scratch, "new.cgns new.cgns", "not a finite number");
 }

@@ -165,6 +165,29 @@ TEST_CASE("nothing below four epsilons of the box counts, nor do edges without l
     }
 }
 
+TEST_CASE("however small the tolerance, round-off is allowed and a moved point is told in cells") {
+    const MultiblockGrid golden = bar();
+    MultiblockGrid grid = golden;
+    nudge(grid, 0, {1, 1, 1}, 0.125);
+    for (const double tolerance : {1e-16, 1e-150, 1e-170, 1e-300, 1e-320}) {
+        INFO(tolerance);
+        const GridComparison found = compare(grid, golden, {tolerance, false});
+        CHECK(found.all().beyond == 1);
+        CHECK(found.all().in_cells.size == Approx(0.5));
+        MultiblockGrid near = golden;
+        nudge(near, 0, {1, 1, 1}, 0.5 * found.floor);
+        const GridComparison rounded = compare(near, golden, {tolerance, false});
+        CHECK(rounded.same());
+        CHECK(rounded.all().in_cells.size == Approx(2 * found.floor).epsilon(0.5));
+    }
+    CHECK(compare(grid, golden, {1e200, false}).same());
+    grid.zones[0].points.x(0, 0, 0) = not_a_number;
+    for (const double tolerance : {1e-170, 1.0, 1e200, 1e308}) {
+        CHECK(compare(grid, golden, {tolerance, false}).all().not_finite == 1);
+        CHECK_FALSE(compare(grid, golden, {tolerance, false}).same());
+    }
+}
+
 TEST_CASE("scales far from one change nothing") {
     for (const double scale : {1e-290, 1e-160, 1e-9, 1e12, 1e160, 1e290}) {
         MultiblockGrid golden = three_blocks();
@@ -196,6 +219,13 @@ TEST_CASE("what is no finite number differs from everything") {
         CHECK_THROWS_AS(compare(golden, grid), UsageError);
         CHECK_THROWS_WITH(compare(grid, grid), Contains("node (2, 5, 3) of zone 'top'"));
     }
+    // By shape as well, where a zone is looked at to be recognised.
+    MultiblockGrid corner = golden;
+    for (const int i : {0, 3}) corner.zones[0].points.z(i, 0, 0) = not_a_number;
+    const GridComparison recognised = compare(corner, golden, by_shape);
+    CHECK(recognised.differences.empty());
+    CHECK(recognised.all().not_finite == 2);
+
     MultiblockGrid far = golden;
     far.zones[0].points.x(0, 0, 0) = 1e308;
     CHECK(compare(far, golden).all().beyond == 1);
