@@ -23,6 +23,12 @@ struct OtherNodes {
     std::size_t count = 0;
 };
 
+/// The two ends of one interface as a file has them, each seen from its own zone.
+struct TwoEnds {
+    Interface first;
+    Interface second;
+};
+
 /// As MultiblockGrid, whose members of the same names say more.
 struct GridOutline {
     std::string title;
@@ -35,6 +41,9 @@ struct GridOutline {
     std::vector<BoundaryPatch> patches;
     std::string provenance;
     std::vector<OtherNodes> others;
+    /// Of those interfaces whose ends do not say, to the bit, that the one is the way back of the
+    /// other; `interfaces` has their first ends.
+    std::vector<TwoEnds> ends_apart;
 };
 
 }  // namespace hexweave

@@ -25,6 +25,8 @@ struct Periodicity {
     Vec3 center;
     Vec3 angle;
     Vec3 translation;
+
+    friend bool operator==(const Periodicity&, const Periodicity&) = default;
 };
 
 /// What carries the donor's nodes back, for a turn about one of the axes or a translation.

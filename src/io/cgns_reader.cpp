@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/periodic_ends.h"
 #include "io/cgns.h"
 #include "io/cgns_source.h"
 
@@ -166,6 +167,20 @@ Zone read_zone(const CgnsSource& source, const GridOutline& outline, int number)
     return result;
 }
 
+/// Throws where the two ends of an interface contradict each other.
+void require_agreeing_ends(const CgnsSource& source, const GridOutline& outline,
+                           const std::vector<Zone>& zones) {
+    if (outline.ends_apart.empty()) return;
+    PointBox box;
+    for (const Zone& zone : zones) {
+        for (std::size_t n = 0; n < zone.points.extent().nodes(); ++n) {
+            if (is_finite(zone.points[n])) box.include(zone.points[n]);
+        }
+    }
+    const std::vector<std::string> found = contradictions(outline, box);
+    if (!found.empty()) source.cannot_read(found.front());
+}
+
 MultiblockGrid read_grid(const std::filesystem::path& path) {
     const CgnsSource source(path);
     GridOutline outline = read_outline(source);
@@ -173,6 +188,7 @@ MultiblockGrid read_grid(const std::filesystem::path& path) {
     for (int zone = 0; zone < static_cast<int>(outline.zones.size()); ++zone) {
         grid.zones.push_back(read_zone(source, outline, zone));
     }
+    require_agreeing_ends(source, outline, grid.zones);
     grid.title = std::move(outline.title);
     grid.units = std::move(outline.units);
     grid.cell_dimension = outline.cell_dimension;

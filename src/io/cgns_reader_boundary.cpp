@@ -112,7 +112,8 @@ Interface read_interface(const CgnsSource& source, const GridOutline& grid, int 
     return forwards(result);
 }
 
-/// Whether two readings are the same joint seen from the same side; names do not count.
+/// Whether two readings are the same joint seen from the same side; names do not count, nor what
+/// carries one side onto the other.
 bool same_joint(const Interface& a, const Interface& b) {
     return a.zone == b.zone && a.donor == b.donor && a.box == b.box && a.donor_box == b.donor_box &&
            a.orientation == b.orientation;
@@ -253,7 +254,7 @@ std::string own_type(BCType_t type, const Family& family) {
 }  // namespace
 
 void read_interfaces(const CgnsSource& source, GridOutline& grid) {
-    std::vector<Interface> awaited;  // the second sides of those that were read on their first
+    std::vector<TwoEnds> awaited;  // those read on their first side, and what the second is to say
     for (int zone = 0; zone < static_cast<int>(grid.zones.size()); ++zone) {
         int count = 0;
         source.check(cg_n1to1(source.file(), CgnsSource::base(), zone + 1, &count));
@@ -261,13 +262,16 @@ void read_interfaces(const CgnsSource& source, GridOutline& grid) {
             const Interface found = read_interface(source, grid, zone, number);
             const auto same =
                 std::find_if(awaited.begin(), awaited.end(),
-                             [&](const Interface& side) { return same_joint(side, found); });
-            if (same != awaited.end()) {
-                awaited.erase(same);
+                             [&](const TwoEnds& ends) { return same_joint(ends.second, found); });
+            if (same == awaited.end()) {
+                awaited.push_back({found, other_side(found)});
+                grid.interfaces.push_back(found);
                 continue;
             }
-            awaited.push_back(other_side(found));
-            grid.interfaces.push_back(found);
+            if (!(same->second.periodic == found.periodic)) {
+                grid.ends_apart.push_back({same->first, found});
+            }
+            awaited.erase(same);
         }
     }
 }

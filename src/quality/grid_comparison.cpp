@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/periodic_ends.h"
 
 namespace hexweave {
 namespace {
@@ -19,6 +20,12 @@ void require_finite(const GridOutline& golden, const std::vector<ZoneSurvey>& su
             "that is not a finite number",
             node[0] + 1, node[1] + 1, node[2] + 1, golden.zones[n].name));
     }
+}
+
+void require_agreeing_ends(const GridOutline& golden, const PointBox& box) {
+    const std::vector<std::string> found = contradictions(golden, box);
+    if (found.empty()) return;
+    throw UsageError(fmt::format("cannot compare: in the golden grid {}", found.front()));
 }
 
 /// The nodes of the candidate that a box of its golden counterpart covers, running forwards.
@@ -71,7 +78,9 @@ GridComparison compare_grids(const PointSource& candidate, const PointSource& go
                              const ComparisonOptions& options) {
     const std::vector<ZoneSurvey> golden_survey = survey(golden);
     require_finite(golden.outline, golden_survey);
-    const Allowance allowed = allowance(options.tolerance, golden_survey);
+    const PointBox golden_box = box_of(golden_survey);
+    require_agreeing_ends(golden.outline, golden_box);
+    const Allowance allowed = allowance(options.tolerance, golden_box);
     const std::vector<ZoneMatch> matches =
         options.by_shape
             ? match_by_shape(candidate.outline, survey(candidate), golden.outline, golden_survey)
@@ -82,7 +91,7 @@ GridComparison compare_grids(const PointSource& candidate, const PointSource& go
     result.floor = allowed.floor;
     result.units = golden.outline.units;
     result.cell_dimension = candidate.outline.cell_dimension;
-    result.differences = compare_outlines(candidate.outline, golden.outline, matches);
+    result.differences = compare_outlines(candidate.outline, golden.outline, matches, golden_box);
     result.others = candidate.outline.others;
     result.golden_others = golden.outline.others;
     for (const ZoneMatch& match : matches) {

@@ -43,7 +43,8 @@ struct GridComparison {
 
 /// Compares everything. A coordinate of the candidate that is no finite number differs from
 /// everything; one of the golden grid makes a comparison impossible, for it has no cell to measure
-/// in: throws UsageError. The same result for any number of threads and any size of the pieces.
+/// in: throws UsageError. So does a golden grid with an interface that contradicts itself. The same
+/// result for any number of threads and any size of the pieces.
 GridComparison compare_grids(const PointSource& candidate, const PointSource& golden,
                              const ComparisonOptions& options);
 

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/interface_sides.h"
+#include "core/periodic_ends.h"
 #include "quality/outline_parts.h"
 
 namespace hexweave {
@@ -72,25 +74,6 @@ std::string to_text(const OutlineComparison& c, const Joint& joint) {
                        to_string(joint.side.orientation, axes));
 }
 
-/// Whether two periodicities are the same in the single precision in which files keep them.
-bool same_periodicity(const std::optional<Periodicity>& a, const std::optional<Periodicity>& b) {
-    if (!a || !b) return a.has_value() == b.has_value();
-    const auto near = [](const Vec3& p, const Vec3& q) {
-        constexpr double single = 1e-6;
-        return distance(p, q) <= single * std::max(norm(p), norm(q));
-    };
-    return near(a->center, b->center) && near(a->angle, b->angle) &&
-           near(a->translation, b->translation);
-}
-
-std::string to_text(const std::optional<Periodicity>& periodic) {
-    if (!periodic) return "not periodic";
-    const auto vector = [](const Vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); };
-    return fmt::format("periodic by rotation {} about {} and translation {}",
-                       vector(periodic->angle), vector(periodic->center),
-                       vector(periodic->translation));
-}
-
 /// Joints of the same nodes whose periodicity differs.
 void compare_periodicity(OutlineComparison& c, const std::vector<Joint>& own,
                          const std::vector<Joint>& golden) {
@@ -98,7 +81,8 @@ void compare_periodicity(OutlineComparison& c, const std::vector<Joint>& own,
         const auto other = std::find_if(golden.begin(), golden.end(), [&joint](const Joint& g) {
             return g.key() == joint.key();
         });
-        if (other == golden.end() || same_periodicity(joint.side.periodic, other->side.periodic)) {
+        if (other == golden.end() ||
+            same_periodicity(joint.side.periodic, other->side.periodic, c.golden_box)) {
             continue;
         }
         c.tell("interface",
@@ -113,6 +97,9 @@ void compare_interfaces(OutlineComparison& c) {
     std::vector<Joint> own = joints_of_candidate(c);
     std::vector<Joint> golden = joints_of_golden(c);
     compare_periodicity(c, own, golden);
+    for (std::string& text : contradictions(c.candidate, c.golden_box)) {
+        c.tell("interface", std::move(text));
+    }
     keep_unlike(own, golden);
     for (const Joint& joint : own) {
         const auto other = take(golden, [&joint](const Joint& g) {

@@ -82,8 +82,9 @@ void compare_families(OutlineComparison& c) {
 }  // namespace
 
 std::vector<Difference> compare_outlines(const GridOutline& candidate, const GridOutline& golden,
-                                         const std::vector<ZoneMatch>& matches) {
-    OutlineComparison c{candidate, golden, {}, {}, {}};
+                                         const std::vector<ZoneMatch>& matches,
+                                         const PointBox& golden_box) {
+    OutlineComparison c{candidate, golden, golden_box, {}, {}, {}};
     c.of_candidate.resize(candidate.zones.size());
     c.of_golden.resize(golden.zones.size());
     for (const ZoneMatch& match : matches) {

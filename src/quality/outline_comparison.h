@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/grid_outline.h"
+#include "core/point_box.h"
 #include "quality/zone_match.h"
 
 namespace hexweave {
@@ -19,8 +20,11 @@ struct Difference {
 
 /// Everything that differs, in the order of the kinds above; nodes are the candidate's. Names of
 /// boundary conditions and interfaces do not count, nor does their order, nor the side on which an
-/// interface is stored.
+/// interface is stored. A type that a family declares is told of the family, any other of the
+/// boundary. An interface of the candidate whose two ends contradict each other is a difference.
+/// `golden_box` has the size of the grids, beside which periodicities are the same or not.
 std::vector<Difference> compare_outlines(const GridOutline& candidate, const GridOutline& golden,
-                                         const std::vector<ZoneMatch>& matches);
+                                         const std::vector<ZoneMatch>& matches,
+                                         const PointBox& golden_box);
 
 }  // namespace hexweave

@@ -17,6 +17,7 @@ namespace hexweave {
 struct OutlineComparison {
     const GridOutline& candidate;
     const GridOutline& golden;
+    const PointBox& golden_box;
     std::vector<std::optional<ZoneMatch>> of_candidate;  ///< by zone of the candidate
     std::vector<std::optional<ZoneMatch>> of_golden;     ///< by zone of the golden grid
     std::vector<Difference> found;

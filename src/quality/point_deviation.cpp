@@ -149,16 +149,8 @@ ZoneDeviation settle(ZoneDeviation found, const Allowance& allowed) {
 
 }  // namespace
 
-Allowance allowance(double tolerance, const std::vector<ZoneSurvey>& golden) {
-    Vec3 least = golden.front().least;
-    Vec3 greatest = golden.front().greatest;
-    for (const ZoneSurvey& zone : golden) {
-        least = {std::min(least.x, zone.least.x), std::min(least.y, zone.least.y),
-                 std::min(least.z, zone.least.z)};
-        greatest = {std::max(greatest.x, zone.greatest.x), std::max(greatest.y, zone.greatest.y),
-                    std::max(greatest.z, zone.greatest.z)};
-    }
-    const Vec3 size = greatest - least;
+Allowance allowance(double tolerance, const PointBox& golden) {
+    const Vec3 size = golden.greatest - golden.least;
     const double diagonal = std::hypot(size.x, size.y, size.z);
     if (!std::isfinite(diagonal)) {
         throw UsageError("cannot compare: the coordinates are too large for double precision");

@@ -18,9 +18,9 @@ struct Allowance {
     double scale = 1;
 };
 
-/// The allowance for a golden grid: the floor is 4 machine epsilons of the diagonal of its box.
+/// The allowance for a golden grid in this box: the floor is 4 machine epsilons of its diagonal.
 /// Throws UsageError where the box is too large for double precision.
-Allowance allowance(double tolerance, const std::vector<ZoneSurvey>& golden);
+Allowance allowance(double tolerance, const PointBox& golden);
 
 /// One deviation: its size, the candidate's node and the golden grid's point.
 struct Deviation {

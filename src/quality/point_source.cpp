@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -73,10 +72,7 @@ void look_at(const Piece& piece, const std::array<Node, 64>& nodes, ZoneSurvey& 
                                      piece.box.begin[2] + place / extent.ni / extent.nj};
             continue;
         }
-        survey.least = {std::min(survey.least.x, p.x), std::min(survey.least.y, p.y),
-                        std::min(survey.least.z, p.z)};
-        survey.greatest = {std::max(survey.greatest.x, p.x), std::max(survey.greatest.y, p.y),
-                           std::max(survey.greatest.z, p.z)};
+        survey.box.include(p);
     }
     for (std::size_t sample = 0; sample < nodes.size(); ++sample) {
         const Node& node = nodes[sample];
@@ -90,11 +86,10 @@ void look_at(const Piece& piece, const std::array<Node, 64>& nodes, ZoneSurvey& 
 }
 
 ZoneSurvey survey_zone(const PointSource& source, int zone) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const Extent& extent = source.outline.zones[static_cast<std::size_t>(zone)].extent;
     const std::vector<Portion> portions = cut(extent, source.piece_nodes);
     const std::array<Node, 64> nodes = sample_nodes(extent);
-    ZoneSurvey found{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, {}, {}};
+    ZoneSurvey found;
     source.ask(zone, portions.front().core);
     for (std::size_t n = 0; n < portions.size(); ++n) {
         if (n + 1 < portions.size()) source.ask(zone, portions[n + 1].core);
@@ -106,9 +101,17 @@ ZoneSurvey survey_zone(const PointSource& source, int zone) {
 }  // namespace
 
 GridOutline outline_of(const MultiblockGrid& grid) {
-    GridOutline outline{
-        grid.title,      grid.units,    grid.cell_dimension, grid.physical_dimension, {},
-        grid.interfaces, grid.families, grid.patches,        grid.provenance,         {}};
+    GridOutline outline{grid.title,
+                        grid.units,
+                        grid.cell_dimension,
+                        grid.physical_dimension,
+                        {},
+                        grid.interfaces,
+                        grid.families,
+                        grid.patches,
+                        grid.provenance,
+                        {},
+                        {}};
     for (const Zone& zone : grid.zones) outline.zones.push_back({zone.name, zone.points.extent()});
     return outline;
 }
@@ -168,6 +171,15 @@ std::vector<ZoneSurvey> survey(const PointSource& source) {
         found.push_back(survey_zone(source, zone));
     }
     return found;
+}
+
+PointBox box_of(const std::vector<ZoneSurvey>& surveys) {
+    PointBox box;
+    for (const ZoneSurvey& zone : surveys) {
+        box.include(zone.box.least);
+        box.include(zone.box.greatest);
+    }
+    return box;
 }
 
 }  // namespace hexweave

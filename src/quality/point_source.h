@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grid_outline.h"
+#include "core/point_box.h"
 
 namespace hexweave {
 
@@ -56,8 +57,7 @@ std::vector<Portion> cut(const Extent& extent, std::size_t most_nodes);
 
 /// Where a zone lies, and a few of its points.
 struct ZoneSurvey {
-    Vec3 least;
-    Vec3 greatest;
+    PointBox box;  ///< of the points that are finite
     /// At the nodes of `sample_nodes`; the same nodes in any orientation of the zone.
     std::array<Vec3, 64> samples;
     std::optional<Node> not_finite;  ///< the first node with a coordinate that is no finite number
@@ -68,5 +68,8 @@ std::array<Node, 64> sample_nodes(const Extent& extent);
 
 /// Reads every zone once.
 std::vector<ZoneSurvey> survey(const PointSource& source);
+
+/// Where all zones lie.
+PointBox box_of(const std::vector<ZoneSurvey>& surveys);
 
 }  // namespace hexweave

@@ -70,10 +70,10 @@ Pair nearest(const GridOutline& candidate, const GridOutline& golden, const Zone
     const ZoneOutline& a = candidate.zones[static_cast<std::size_t>(zones.candidate)];
     const ZoneOutline& b = golden.zones[static_cast<std::size_t>(zones.golden)];
     constexpr double near = 0.1;
-    double limit = near * far_between(other.least, other.greatest);
+    double limit = near * far_between(other.box.least, other.box.greatest);
     Pair best{std::numeric_limits<double>::infinity(), a.name != b.name, zones};
-    if (far_between(own.least, other.least) > 2 * limit ||
-        far_between(own.greatest, other.greatest) > 2 * limit) {
+    if (far_between(own.box.least, other.box.least) > 2 * limit ||
+        far_between(own.box.greatest, other.box.greatest) > 2 * limit) {
         return best;
     }
     for (const Orientation& o : all_orientations(candidate.cell_dimension)) {

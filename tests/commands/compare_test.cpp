@@ -200,6 +200,38 @@ TEST_CASE("a boundary of another type fails, whatever its family says") {
     }
 }
 
+TEST_CASE("an interface whose two ends contradict each other is told by every command") {
+    const Scratch scratch;
+    const auto write = [&](const char* name, std::array<float, 3> back) {
+        write_box(scratch.path() / name, [&](int file, int base, int zone) {
+            const cgsize_t low[6] = {1, 1, 1, 1, 4, 5};
+            const cgsize_t high[6] = {3, 1, 1, 3, 4, 5};
+            const int transform[3] = {1, 2, 3};
+            const float none[3] = {};
+            const float forth[3] = {2, 0, 0};
+            int number = 0;
+            cg_1to1_write(file, base, zone, "first", "box", low, high, transform, &number);
+            cg_1to1_periodic_write(file, base, zone, number, none, none, forth);
+            cg_1to1_write(file, base, zone, "second", "box", high, low, transform, &number);
+            cg_1to1_periodic_write(file, base, zone, number, none, none, back.data());
+        });
+    };
+    write("golden.cgns", {-2, 0, 0});
+    write("new.cgns", {-2.02F, 0, 0});
+    CHECK(scratch.hexweave("compare golden.cgns golden.cgns").exit_code == 0);
+    CHECK(scratch.hexweave("quality golden.cgns").exit_code == 0);
+    const std::string fault = "the two ends of an interface contradict each other: 'first' of zone";
+    const Finished run = scratch.hexweave("compare new.cgns golden.cgns");
+    CHECK(run.exit_code == 1);
+    CHECK_THAT(run.out, Contains("interface: " + fault));
+    check_refused(scratch, "golden.cgns new.cgns", "in the golden grid " + fault);
+    for (const std::string command : {"quality new.cgns", "convert new.cgns new.xyz"}) {
+        const Finished refused = scratch.hexweave(command);
+        CHECK(refused.exit_code == 2);
+        CHECK_THAT(refused.err, Contains("cannot read 'new.cgns': " + fault));
+    }
+}
+
 TEST_CASE("a renamed family fails") {
     const Scratch scratch;
     const std::string compare =

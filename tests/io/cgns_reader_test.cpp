@@ -196,6 +196,24 @@ int periodic_interface(int file, int base, int zone, bool forth, std::array<floa
 
 }  // namespace
 
+TEST_CASE("Two ends of an interface that contradict each other are refused") {
+    const Scratch scratch;
+    const auto read = [&](std::array<float, 3> angle, std::array<float, 3> translation) {
+        return read_cgns(other_program(scratch, CG_FILE_HDF5, 3, [&](int file, int base) {
+            const int zone = single_precision_box(file, base, "box", Meter);
+            periodic_interface(file, base, zone, true, {}, {1, 0, 0});
+            periodic_interface(file, base, zone, false, angle, translation);
+        }));
+    };
+    CHECK(read({}, {-1, 0, 0}).interfaces.size() == 1);
+    CHECK(read({1e-12F, 0, 0}, {-1 - 1e-7F, 0, 0}).interfaces.size() == 1);
+    CHECK_THROWS_WITH(read({}, {1, 0, 0}),
+                      Contains("'back' of zone 'box' is periodic by rotation (0, 0, 0) about (0, "
+                               "1, 0) and translation (1, 0, 0); the one is not the way back"));
+    CHECK_THROWS_AS(read({}, {-1.001F, 0, 0}), UsageError);
+    CHECK_THROWS_AS(read({0.01F, 0, 0}, {-1, 0, 0}), UsageError);
+}
+
 TEST_CASE("An interface that is written on one side only is read once") {
     const Scratch scratch;
     const auto path = other_program(scratch, CG_FILE_HDF5, 3, [](int file, int base) {

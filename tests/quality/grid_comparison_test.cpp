@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "core/interface_sides.h"
 #include "quality/turned_grids.h"
 
 using namespace hexweave;
@@ -318,6 +319,66 @@ TEST_CASE("interfaces that are missing, added, turned or carried elsewhere are t
     CHECK_THAT(only_difference(grid, golden).text, Contains("4.001"));
     grid.interfaces[3].periodic.reset();
     CHECK_THAT(only_difference(grid, golden).text, Contains("not periodic, golden periodic"));
+}
+
+TEST_CASE("what is small beside the grid makes no periodicity another one") {
+    MultiblockGrid golden = three_blocks();
+    MultiblockGrid grid = golden;
+    Periodicity& map = *grid.interfaces[3].periodic;
+    map = {{1e-30, 0, 0}, {0, 0, 1e-12}, {1e-17, 4 + 1e-9, 0}};
+    CHECK(compare(grid, golden).same());
+    map.angle.z = 1e-4;
+    CHECK(only_difference(grid, golden).kind == "interface");
+    map = {{}, {}, {1e-3, 4, 0}};
+    CHECK(only_difference(grid, golden).kind == "interface");
+    // A turn about x is the same about any point of x.
+    golden.interfaces[3].periodic = Periodicity{{0, 1, 2}, {0.5, 0, 0}, {}};
+    map = {{100, 1, 2}, {0.5, 0, 0}, {}};
+    CHECK(compare(grid, golden).same());
+    map.center.y = 1.001;
+    CHECK_THAT(only_difference(grid, golden).text, Contains("about (100, 1.001, 2)"));
+    // One that moves nothing is still one.
+    map = {};
+    golden.interfaces[3].periodic.reset();
+    CHECK_FALSE(compare(grid, golden).same());
+}
+
+TEST_CASE("ends of an interface that contradict each other are told") {
+    const MultiblockGrid golden = three_blocks();
+    PointSource candidate = source_of(golden, 60);
+    const Interface& first = golden.interfaces[3];
+    Interface second = other_side(first);
+    const auto differences = [&] {
+        candidate.outline.ends_apart = {{first, second}};
+        return compare_grids(candidate, source_of(golden, 60), {}).differences;
+    };
+    CHECK(differences().empty());
+    second.periodic->translation.y = -4 - 1e-7;
+    CHECK(differences().empty());
+    for (const auto& wrong :
+         {std::optional<Periodicity>{}, std::optional<Periodicity>{{{}, {}, {0, -4.01, 0}}},
+          std::optional<Periodicity>{{{}, {0.01, 0, 0}, {0, -4, 0}}},
+          std::optional<Periodicity>{{{}, {}, {0, not_a_number, 0}}}}) {
+        second.periodic = wrong;
+        REQUIRE(differences().size() == 1);
+        CHECK(differences()[0].kind == "interface");
+        CHECK_THAT(differences()[0].text, Contains("'d' of zone 'left' is periodic by"));
+        CHECK_THAT(differences()[0].text, Contains("contradict each other"));
+        // As a golden grid it is none.
+        CHECK_THROWS_WITH(compare_grids(source_of(golden, 60), candidate, {}),
+                          Contains("in the golden grid the two ends"));
+    }
+    // Turns about several axes: the way back runs through them in the other order.
+    Interface turned_first = first;
+    turned_first.periodic = Periodicity{{1, 2, 3}, {0.3, 0, 0.7}, {}};
+    Interface turned_back = second;
+    const auto contradict = [&](const Vec3& angle) {
+        turned_back.periodic = Periodicity{{1, 2, 3}, angle, {}};
+        candidate.outline.ends_apart = {{turned_first, turned_back}};
+        return !compare_grids(candidate, source_of(golden, 60), {}).differences.empty();
+    };
+    CHECK(contradict({-0.3, 0, -0.7}));
+    CHECK_FALSE(contradict({-0.2323214, -0.1915485, -0.6775813}));
 }
 
 TEST_CASE("boundaries differ by family, by range, or by being there") {
