@@ -17,17 +17,6 @@ namespace {
 
 constexpr std::array<const char*, 3> coordinate_names{"CoordinateX", "CoordinateY", "CoordinateZ"};
 
-/// The length unit at the current node; empty when none is given.
-std::string read_units() {
-    MassUnits_t mass{};
-    LengthUnits_t length{};
-    TimeUnits_t time{};
-    TemperatureUnits_t temperature{};
-    AngleUnits_t angle{};
-    if (cg_units_read(&mass, &length, &time, &temperature, &angle) != CG_OK) return {};
-    return unit_symbol(length);
-}
-
 void read_descriptors(const CgnsSource& source, GridOutline& grid) {
     int descriptors = 0;
     source.check(cg_ndescriptors(&descriptors));
@@ -60,7 +49,6 @@ void read_base(const CgnsSource& source, GridOutline& grid) {
                         grid.cell_dimension, grid.physical_dimension));
     }
     source.check(cg_goto(source.file(), CgnsSource::base(), "end"));
-    grid.units = read_units();
     read_descriptors(source, grid);
 }
 
@@ -107,7 +95,7 @@ void require_memory(const CgnsSource& source, const std::string& zone, const Ext
                                    zone, needed / giga, present / giga));
 }
 
-/// Throws unless the zone has the coordinate; reads its units when the base has none.
+/// Throws unless the zone has the coordinate, in the unit of those before.
 void look_at_coordinate(const CgnsSource& source, int zone, const std::string& name,
                         const std::string& zone_name, std::string& units) {
     int coordinates = 0;
@@ -121,10 +109,14 @@ void look_at_coordinate(const CgnsSource& source, int zone, const std::string& n
         if (name == candidate.data()) found = number;
     }
     if (found == 0) source.cannot_read(fmt::format("zone '{}' has no {}", zone_name, name));
-    if (!units.empty()) return;
-    source.check(cg_goto(source.file(), CgnsSource::base(), "Zone_t", zone, "GridCoordinates_t", 1,
-                         "DataArray_t", found, "end"));
-    units = read_units();
+    const std::string own = units_of_coordinate(source, zone, found).length;
+    if (own.empty() || own == units) return;
+    if (!units.empty()) {
+        source.cannot_read(fmt::format(
+            "{} of zone '{}' is in {} and others are in {}; hexweave reads grids in one unit", name,
+            zone_name, own, units));
+    }
+    units = own;
 }
 
 Extent read_extent(const CgnsSource& source, int number, int cell_dimension, CgnsName& name) {

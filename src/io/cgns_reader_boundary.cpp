@@ -60,20 +60,6 @@ bool boxes_agree(const Interface& interface) {
     return true;
 }
 
-/// What carries the two sides of an interface onto each other; nothing where they are the same
-/// points.
-std::optional<Periodicity> read_periodicity(const CgnsSource& source, int zone, int number) {
-    std::array<float, 3> center{};
-    std::array<float, 3> angle{};
-    std::array<float, 3> translation{};
-    const int answer = cg_1to1_periodic_read(source.file(), CgnsSource::base(), zone + 1, number,
-                                             center.data(), angle.data(), translation.data());
-    if (answer == CG_NODE_NOT_FOUND) return std::nullopt;
-    source.check(answer);
-    const auto vector = [](const std::array<float, 3>& v) { return Vec3{v[0], v[1], v[2]}; };
-    return Periodicity{vector(center), vector(angle), vector(translation)};
-}
-
 Interface read_interface(const CgnsSource& source, const GridOutline& grid, int zone, int number) {
     CgnsName name{};
     CgnsName donor{};
@@ -98,7 +84,7 @@ Interface read_interface(const CgnsSource& source, const GridOutline& grid, int 
                            donor_zone,
                            to_box(donor_range.data(), grid.cell_dimension),
                            Orientation{transform},
-                           read_periodicity(source, zone, number)};
+                           read_periodicity(source, grid, zone, number)};
     if (!is_permutation(result.orientation, grid.cell_dimension)) {
         source.cannot_read(fmt::format("{} has no valid Transform", what));
     }

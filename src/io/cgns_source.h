@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,22 @@ GridOutline read_outline(const CgnsSource& source);
 void read_points(const CgnsSource& source, const GridOutline& grid, int zone, const IndexBox& box,
                  const std::array<double*, 3>& to);
 
-/// Adds the one-to-one interfaces of all zones of `grid`, each once, on the side that comes first.
+/// Units as they hold at a node: those of the nearest of it and the nodes around it that say any.
+struct NodeUnits {
+    std::string length;  ///< "m"; empty when none is known
+    double radians = 1;  ///< in a unit of angle
+};
+
+/// Of a coordinate; zones and coordinates are counted from 1.
+NodeUnits units_of_coordinate(const CgnsSource& source, int zone, int coordinate);
+
+/// What carries the two sides of one-to-one interface `number` of a zone of `grid` onto each other,
+/// in the grid's unit of length and in radians; nothing where they are the same points.
+std::optional<Periodicity> read_periodicity(const CgnsSource& source, const GridOutline& grid,
+                                            int zone, int number);
+
+/// Adds the one-to-one interfaces of all zones of `grid`, each once, on the side that comes first;
+/// also both ends of those whose ends may contradict each other.
 void read_interfaces(const CgnsSource& source, GridOutline& grid);
 
 /// Adds the boundary conditions of all zones of `grid` as patches, and the families that the file

@@ -221,7 +221,9 @@ private:
     }
 
     void write_periodicity(int zone, int number, const Periodicity& periodic) const {
-        const auto single = [](const Vec3& v) {
+        // A zero has no sign, so that what was read is written alike.
+        const auto single = [](const Vec3& vector) {
+            const Vec3 v = vector + Vec3{};
             return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y),
                                         static_cast<float>(v.z)};
         };

@@ -9,6 +9,7 @@
 
 #include "core/errors.h"
 #include "core/interface_sides.h"
+#include "core/length_unit.h"
 #include "io/poly_mesh_parts.h"
 
 namespace hexweave {

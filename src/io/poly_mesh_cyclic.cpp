@@ -76,12 +76,4 @@ std::array<CyclicHalf, 2> cyclic_halves(const CyclicPair& pair, double metres) {
     return {CyclicHalf{"", way, axis, centre}, CyclicHalf{"", Vec3{} - way, axis, centre}};
 }
 
-double metres_in(const std::string& unit) {
-    if (unit == "mm") return 0.001;
-    if (unit == "cm") return 0.01;
-    if (unit == "in") return 0.0254;
-    if (unit == "ft") return 0.3048;
-    return 1;
-}
-
 }  // namespace hexweave

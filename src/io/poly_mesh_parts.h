@@ -79,9 +79,6 @@ std::vector<CyclicPair> cyclic_pairs(const MultiblockGrid& grid);
 /// The two halves of a pair: from the one to the other, and back.
 std::array<CyclicHalf, 2> cyclic_halves(const CyclicPair& pair, double metres);
 
-/// Metres in a unit of length; 1 when it is not known.
-double metres_in(const std::string& unit);
-
 /// Whether the interface's own side belongs to the second half of the pair.
 bool runs_back(const CyclicPair& pair, const Interface& interface);
 

@@ -7,6 +7,7 @@
 
 #include "core/errors.h"
 #include "core/interface_sides.h"
+#include "core/length_unit.h"
 #include "core/periodic_image.h"
 #include "io/poly_mesh_parts.h"
 

@@ -232,6 +232,26 @@ TEST_CASE("an interface whose two ends contradict each other is told by every co
     }
 }
 
+TEST_CASE("units are those of the innermost node") {
+    const Scratch scratch;
+    const auto write = [&](const char* name, LengthUnits_t inner) {
+        write_box(scratch.path() / name, [&](int file, int base, int zone) {
+            cg_goto(file, base, "end");
+            cg_units_write(Kilogram, Meter, Second, Kelvin, Radian);
+            cg_goto(file, base, "Zone_t", zone, "GridCoordinates_t", 1, "end");
+            cg_units_write(Kilogram, inner, Second, Kelvin, Radian);
+        });
+    };
+    write("m.cgns", Meter);
+    write("mm.cgns", Millimeter);
+    const Finished run = scratch.hexweave("compare mm.cgns m.cgns");
+    CHECK(run.exit_code == 1);
+    CHECK_THAT(run.out, Contains("units: the length unit is mm, golden m\ndifferent: 1 units\n"));
+    CHECK(scratch.hexweave("convert mm.cgns case.foam").exit_code == 0);
+    CHECK_THAT(slurp((scratch.path() / "constant/polyMesh/points").string()),
+               Contains("(0.002 0.003 0.004)"));
+}
+
 TEST_CASE("a renamed family fails") {
     const Scratch scratch;
     const std::string compare =

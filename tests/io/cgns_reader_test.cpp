@@ -2,8 +2,13 @@
 // Files of other programs, and files that are none.
 #include <cgnslib.h>
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/errors.h"
 #include "core/interface_sides.h"
@@ -32,8 +37,8 @@ std::filesystem::path other_program(const Scratch& scratch, int file_type, int c
     return path;
 }
 
-/// A box of 3 x 4 x 2 nodes with coordinates in single precision, in inches.
-int single_precision_box(int file, int base, const char* name) {
+/// A box of 3 x 4 x 2 nodes with coordinates in single precision, in inches unless said.
+int single_precision_box(int file, int base, const char* name, LengthUnits_t length = Inch) {
     const cgsize_t size[9] = {3, 4, 2, 2, 3, 1, 0, 0, 0};
     int zone = 0;
     int number = 0;
@@ -50,8 +55,9 @@ int single_precision_box(int file, int base, const char* name) {
         const char* names[] = {"CoordinateX", "CoordinateY", "CoordinateZ"};
         REQUIRE(cg_coord_write(file, base, zone, RealSingle, names[axis], values.data(), &number) ==
                 CG_OK);
+        if (length == LengthUnitsNull) continue;
         cg_goto(file, base, "Zone_t", zone, "GridCoordinates_t", 1, "DataArray_t", number, "end");
-        cg_units_write(MassUnitsNull, Inch, TimeUnitsNull, TemperatureUnitsNull, AngleUnitsNull);
+        cg_units_write(MassUnitsNull, length, TimeUnitsNull, TemperatureUnitsNull, AngleUnitsNull);
     }
     return zone;
 }
@@ -195,6 +201,70 @@ int periodic_interface(int file, int base, int zone, bool forth, std::array<floa
 }
 
 }  // namespace
+
+TEST_CASE("The innermost units of the coordinates hold") {
+    const Scratch scratch;
+    const auto units = [&](std::vector<std::pair<Place, LengthUnits_t>> said) {
+        const auto path = other_program(scratch, CG_FILE_HDF5, 3, [&](int file, int base) {
+            const int zone = single_precision_box(file, base, "box", LengthUnitsNull);
+            for (const auto& [place, length] : said) write_units(file, base, zone, place, length);
+        });
+        return read_cgns(path).units;
+    };
+    CHECK(units({}).empty());
+    CHECK(units({{Place::base, Meter}}) == "m");
+    CHECK(units({{Place::base, Meter}, {Place::array, Millimeter}}) == "mm");
+    CHECK(units({{Place::base, Meter}, {Place::coordinates, Foot}}) == "ft");
+    CHECK(units({{Place::base, Meter}, {Place::zone, Centimeter}}) == "cm");
+    CHECK(units({{Place::zone, Foot}, {Place::coordinates, Inch}, {Place::array, Meter}}) == "m");
+    CHECK(units({{Place::base, Meter}, {Place::array, LengthUnitsNull}}) == "m");
+
+    const auto mixed = other_program(scratch, CG_FILE_HDF5, 3, [](int file, int base) {
+        write_units(file, base, 0, Place::base, Meter);
+        single_precision_box(file, base, "a", LengthUnitsNull);
+        single_precision_box(file, base, "b", Millimeter);
+    });
+    CHECK_THROWS_WITH(
+        read_cgns(mixed),
+        EndsWith("CoordinateX of zone 'b' is in mm and others are in m; hexweave reads grids in "
+                 "one unit"));
+}
+
+TEST_CASE("A periodicity is read in radians and in the unit of the grid") {
+    const Scratch scratch;
+    const auto path = other_program(scratch, CG_FILE_HDF5, 3, [](int file, int base) {
+        // Lengths of the base in metres, those of the points in millimetres.
+        write_units(file, base, 0, Place::base, Meter, Degree);
+        const int zone = single_precision_box(file, base, "box", Millimeter);
+        const int number = periodic_interface(file, base, zone, true, {90, 0, 0}, {0.001F, 0, 0});
+        REQUIRE(cg_goto(file, base, "Zone_t", zone, "ZoneGridConnectivity_t", 1,
+                        "GridConnectivity1to1_t", number, "GridConnectivityProperty_t", 1,
+                        "Periodic_t", 1, "RotationCenter", 0, "end") == CG_OK);
+        cg_units_write(MassUnitsNull, Centimeter, TimeUnitsNull, TemperatureUnitsNull,
+                       AngleUnitsNull);
+    });
+    const MultiblockGrid grid = read_cgns(path);
+    REQUIRE(grid.interfaces.size() == 1);
+    const Periodicity& periodic = *grid.interfaces[0].periodic;
+    CHECK(periodic.angle.x == Approx(std::acos(0.0)).epsilon(1e-7));
+    CHECK(periodic.translation.x == Approx(1).epsilon(1e-7));
+    CHECK(periodic.center.y == Approx(10).epsilon(1e-7));
+}
+
+TEST_CASE("A periodic grid that was read is written as it was") {
+    const Scratch scratch;
+    MultiblockGrid grid = joined_pair(3, 3, rotations(3)[7]);
+    Interface& seam = grid.interfaces[0];
+    for (const double angle : {0.5, -0.5}) {
+        for (int side = 0; side < 2; ++side) {
+            seam = other_side(seam);
+            seam.periodic = Periodicity{{}, angle * Vec3{1, 0, 0}, angle * Vec3{}};
+            write_cgns(grid, scratch.path("once.cgns"));
+            write_cgns(read_cgns(scratch.path("once.cgns")), scratch.path("twice.cgns"));
+            CHECK(contents(scratch.path("once.cgns")) == contents(scratch.path("twice.cgns")));
+        }
+    }
+}
 
 TEST_CASE("Two ends of an interface that contradict each other are refused") {
     const Scratch scratch;
