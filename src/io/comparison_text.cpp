@@ -101,7 +101,8 @@ std::string kinds_text(const std::vector<Difference>& differences) {
     }
     std::string text;
     for (const std::string& kind : kinds) {
-        text += (text.empty() ? "" : ", ") + counted(counts[kind], kind, plural_of(kind));
+        text += text.empty() ? "" : ", ";
+        text += kind == "units" ? kind : counted(counts[kind], kind, plural_of(kind));
     }
     return text;
 }

@@ -118,7 +118,7 @@ void compare_row(const Work& work, const Row& row, Buffers& buffers, ZoneDeviati
         const double in_cells = square / cell;
         // However small or large the tolerance: the floor is allowed, what is no number is not.
         const bool is_beyond =
-            square == infinity || square > std::max(tolerance * cell, floor * floor);
+            square == infinity || square > std::max(floor * floor, tolerance * cell);
         found.beyond += is_beyond ? 1 : 0;
         if (square == infinity) {
             const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(row.candidate) +

@@ -10,8 +10,8 @@ namespace hexweave {
 
 /// How far a point may be off: `tolerance` of the local cell, whose size is the shortest of the
 /// edges that meet at the golden grid's point (those no longer than `floor`, of poles, do not
-/// count; `floor` where none does); never less than `floor`, a length. Lengths are multiplied by `scale` before they are
-/// squared.
+/// count; `floor` where none does); never less than `floor`, a length. Lengths are multiplied by
+/// `scale` before they are squared.
 struct Allowance {
     double tolerance = 1e-4;
     double floor = 0;
