@@ -21,8 +21,8 @@ namespace hexweave {
 /// that the format cannot hold.
 void write_neutral_map(const MultiblockGrid& grid, const std::filesystem::path& path);
 
-/// Adds to a grid read from Plot3D what its map says. A planar grid may have the map of the same
-/// grid drawn two nodes thick: the direction in which all blocks have two nodes is left out then.
+/// Adds to a grid read from Plot3D what its map says. A surface may have the map of the same
+/// grid drawn one or two nodes thick in some direction, which is left out then.
 /// Families that no comment explains get their type by the words that NASA's programs use, else
 /// UserDefined. Throws UsageError, with the line, when the map cannot be understood or is that of
 /// another grid.

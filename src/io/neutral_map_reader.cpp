@@ -169,7 +169,7 @@ private:
         find_left_out_axis();
     }
 
-    /// A planar grid may have the map of a grid two nodes thick in some direction.
+    /// A surface may have the map of a grid one or two nodes thick in some direction.
     void find_left_out_axis() {
         for (const int axis : {-1, 0, 1, 2}) {
             left_out_ = axis;
@@ -182,7 +182,7 @@ private:
                 }
                 const Extent& size = sizes_[zone];
                 const std::array<int, 2> rest{size[axis == 0 ? 1 : 0], size[axis == 2 ? 1 : 2]};
-                agrees = agrees && size[axis] == 2 && extent.nk == 1 &&
+                agrees = agrees && size[axis] <= 2 && extent.nk == 1 &&
                          rest == std::array{extent.ni, extent.nj};
             }
             if (agrees) return;

@@ -21,7 +21,8 @@ void write_plot3d(const MultiblockGrid& grid, const std::filesystem::path& path,
 /// Reads a file of one or many blocks, in two or three dimensions, of text (also with Fortran's
 /// repeat counts and D exponents) or bytes of either order, unformatted or bare, in single or
 /// double precision, with blanking where it blanks nothing out: all found out by the sizes. Zones
-/// are called block1, block2, ... (with as many digits as the last has). Throws UsageError when the
+/// are called block1, block2, ... (with as many digits as the last has). Blocks one node thick are
+/// surfaces, whose i and j are the two axes left. Throws UsageError when the
 /// file is missing or holds anything else.
 MultiblockGrid read_plot3d(const std::filesystem::path& path);
 

@@ -8,6 +8,15 @@ namespace {
 
 using Head = std::function<std::optional<std::int32_t>(const Plot3dLayout&, std::size_t)>;
 
+/// A block of one node along i or j is a surface, whose points stand in the same order without that
+/// axis.
+Extent without_flat_axis(const Extent& extent) {
+    if (extent.nk == 1) return extent;
+    if (extent.ni == 1) return {extent.nj, extent.nk, 1};
+    if (extent.nj == 1) return {extent.ni, extent.nk, 1};
+    return extent;
+}
+
 /// Reads the sizes of all blocks; false when these are no sizes.
 bool read_sizes(const Head& head, std::size_t most_nodes, Plot3dLayout& layout) {
     std::size_t place = 0;
@@ -28,7 +37,7 @@ bool read_sizes(const Head& head, std::size_t most_nodes, Plot3dLayout& layout) 
             wanted *= *number;
         }
         if (wanted > static_cast<double>(most_nodes)) return false;
-        layout.extents.push_back({size[0], size[1], size[2]});
+        layout.extents.push_back(without_flat_axis({size[0], size[1], size[2]}));
         nodes += layout.extents.back().nodes();
         if (nodes > most_nodes) return false;
     }

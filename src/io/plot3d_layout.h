@@ -32,7 +32,7 @@ struct Plot3dLayout {
     int dimension = 3;      ///< coordinates, and numbers in a size
     bool has_blanking = false;
     std::size_t number_size = sizeof(double);
-    std::vector<Extent> extents;
+    std::vector<Extent> extents;  ///< of surfaces (ni, nj, 1), whichever axis the file has flat
 
     /// Numbers (coordinates) of one block.
     std::size_t numbers(const Extent& extent) const {

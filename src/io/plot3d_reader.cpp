@@ -62,14 +62,14 @@ MultiblockGrid empty_grid(const std::filesystem::path& path, const Plot3dLayout&
     const auto flat = std::count_if(layout.extents.begin(), layout.extents.end(), is_flat);
     grid.cell_dimension = flat > 0 ? 2 : 3;
     if (flat > 0 && flat < static_cast<std::ptrdiff_t>(layout.extents.size())) {
-        cannot_read(path, "some of its blocks are one node thick along k and some are not");
+        cannot_read(path, "some of its blocks are one node thick and some are not");
     }
     const std::size_t digits = std::to_string(layout.extents.size()).size();
     for (const Extent& extent : layout.extents) {
         const std::string name = fmt::format("block{:0{}}", grid.zones.size() + 1, digits);
         if (extent.ni < 2 || extent.nj < 2) {
-            cannot_read(path, fmt::format("zone '{}' is {} x {} x {} nodes, one along i or j", name,
-                                          extent.ni, extent.nj, extent.nk));
+            cannot_read(path, fmt::format("zone '{}' is {} nodes in a row, no surface or block",
+                                          name, extent.nodes()));
         }
         grid.zones.push_back({name, {}});
     }

@@ -63,6 +63,30 @@ TEST_CASE("A grid comes back to the bit from every form of Plot3D and its map") 
     }
 }
 
+TEST_CASE("A block one node thick is a surface, whichever axis is flat") {
+    const Scratch scratch;
+    // Three by two points (i, j, 0), and what bounds the first of the two axes.
+    const std::string points = "0 1 2 0 1 2  0 0 0 1 1 1  0 0 0 0 0 0\n";
+    struct Flat {
+        std::string size;
+        std::string face;  ///< of the side where the first axis is least
+    };
+    for (const Flat& flat :
+         {Flat{"3 2 1", "3 1 2 1 1"}, {"1 3 2", "5 1 2 1 1"}, {"3 1 2", "3 1 1 1 2"}}) {
+        INFO(flat.size);
+        put(scratch.path("flat.p3d"), "1\n" + flat.size + "\n" + points);
+        put(scratch.path("flat.nmf"), "1\n1 " + flat.size + "\nINFLOW 1 " + flat.face + "\n");
+        const MultiblockGrid grid = read_grid(scratch.path("flat.p3d"));
+        CHECK(grid.cell_dimension == 2);
+        REQUIRE(grid.zones[0].points.extent() == Extent{3, 2, 1});
+        CHECK(grid.zones[0].points(2, 1) == Vec3{2, 1, 0});
+        REQUIRE(grid.patches.size() == 1);
+        CHECK(grid.patches[0].box == side_box(Side::imin, {3, 2, 1}));
+    }
+    put(scratch.path("line.p3d"), "1\n1 1 3\n0 1 2 0 0 0 0 0 0\n");
+    CHECK_THAT(error_of(scratch.path("line.p3d")), Contains("3 nodes in a row"));
+}
+
 TEST_CASE("A patch of another type than its family's comes back from Plot3D and CGNS") {
     const Scratch scratch;
     MultiblockGrid grid = joined_pair(3, 3, rotations(3)[7]);
