@@ -12,6 +12,7 @@ namespace hexweave {
 struct ZoneOutline {
     std::string name;
     Extent extent;
+    int number = 0;  ///< in its file, from 1
 
     friend bool operator==(const ZoneOutline&, const ZoneOutline&) = default;
 };

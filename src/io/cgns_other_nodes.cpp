@@ -4,6 +4,7 @@
 #include <cgns_io.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,13 @@ struct TreeNode {
 
 class TreeWalk {
 public:
-    explicit TreeWalk(const CgnsSource& source) : source_(source) {
+    TreeWalk(const CgnsSource& source, const GridOutline& outline) : source_(source) {
         source.check(cg_get_cgio(source.file(), &tree_));
+        for (const ZoneOutline& zone : outline.zones) read_.insert(zone.name);
+        for (const BoundaryPatch& patch : outline.patches) {
+            const ZoneOutline& zone = outline.zones[static_cast<std::size_t>(patch.zone)];
+            read_.insert(zone.name + "/" + patch.name);
+        }
     }
 
     std::vector<OtherNodes> find() {
@@ -66,10 +72,24 @@ private:
         }
     }
 
+    /// Whether the reader has left out this node, of a kind that it knows.
+    bool is_left_out(const TreeNode& node, const std::string& path) {
+        if (node.label == "CGNSBase_t") {
+            if (base_.empty()) base_ = path + "/";
+            return path + "/" != base_;
+        }
+        if (node.label != "Zone_t" && node.label != "BC_t") return false;
+        const std::string below = path.substr(base_.size());
+        const std::string zone = below.substr(0, below.find('/'));
+        return read_.count(node.label == "Zone_t" ? zone : zone + "/" + node.name) == 0;
+    }
+
     void look_below(const TreeNode& parent, const std::string& parent_path);
 
     const CgnsSource& source_;
     int tree_ = 0;
+    std::string base_;            ///< the path of the first base, with a slash behind
+    std::set<std::string> read_;  ///< "ZONE" and "ZONE/CONDITION" for all that the outline has
     std::vector<OtherNodes> found_;
 };
 
@@ -139,7 +159,7 @@ void TreeWalk::look_below(const TreeNode& parent, const std::string& parent_path
     for (const TreeNode& node : children(parent)) {
         const std::string path = parent_path + "/" + node.name;
         const KnownNode* known = find_known(parent.label, node);
-        if (known == nullptr) {
+        if (known == nullptr || is_left_out(node, path)) {
             note(node, path);
         } else if (known->inside) {
             look_below(node, path);
@@ -150,8 +170,8 @@ void TreeWalk::look_below(const TreeNode& parent, const std::string& parent_path
 
 }  // namespace
 
-std::vector<OtherNodes> find_other_nodes(const CgnsSource& source) {
-    return TreeWalk(source).find();
+std::vector<OtherNodes> find_other_nodes(const CgnsSource& source, const GridOutline& outline) {
+    return TreeWalk(source, outline).find();
 }
 
 }  // namespace hexweave

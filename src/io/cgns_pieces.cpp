@@ -89,9 +89,9 @@ private:
 [[noreturn]] void serve(const std::filesystem::path& path, int stream, const SharedSlots& memory) {
     become_expendable();
     try {
-        const CgnsSource source(path);
+        const CgnsSource source(path, OtherParts::left_out);
         const GridOutline outline = read_outline(source);
-        static_cast<void>(find_other_nodes(source));
+        static_cast<void>(find_other_nodes(source, outline));
         Request request;
         bool open = transmit(stream, Answer{});
         while (open && receive(stream, request)) {
@@ -180,9 +180,9 @@ PointSource open_cgns_pieces(const std::filesystem::path& path, std::size_t piec
     reader->wait();
     PointSource result;
     {
-        const CgnsSource source(path);
+        const CgnsSource source(path, OtherParts::left_out);
         result.outline = read_outline(source);
-        result.outline.others = find_other_nodes(source);
+        result.outline.others = find_other_nodes(source, result.outline);
     }
     result.piece_nodes = piece_nodes;
     result.ask = [reader](int zone, const IndexBox& box) { reader->ask(zone, box); };

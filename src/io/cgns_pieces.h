@@ -11,8 +11,10 @@
 namespace hexweave {
 
 /// Opens the file and reads its outline. The reading process lives as long as the source's
-/// functions; it keeps two pieces in memory that both processes share. Throws UsageError as
-/// read_cgns does, MachineError when no process can be started.
+/// functions; it keeps two pieces in memory that both processes share. Bases after the first,
+/// unstructured zones and boundary conditions that cover no rectangle are left out of the outline,
+/// and listed among its other nodes. Otherwise throws UsageError as read_cgns does, MachineError
+/// when no process can be started.
 PointSource open_cgns_pieces(const std::filesystem::path& path, std::size_t piece_nodes);
 
 }  // namespace hexweave

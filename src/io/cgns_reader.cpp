@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -35,7 +36,7 @@ void read_base(const CgnsSource& source, GridOutline& grid) {
     int bases = 0;
     source.check(cg_nbases(source.file(), &bases));
     if (bases < 1) source.cannot_read("it holds no base");
-    if (bases > 1) {
+    if (bases > 1 && !source.leaves_out()) {
         source.cannot_read(fmt::format("it holds {} bases; hexweave reads files with one", bases));
     }
     CgnsName name{};
@@ -119,12 +120,15 @@ void look_at_coordinate(const CgnsSource& source, int zone, const std::string& n
     units = own;
 }
 
-Extent read_extent(const CgnsSource& source, int number, int cell_dimension, CgnsName& name) {
+/// Nothing for an unstructured zone that is to be left out.
+std::optional<Extent> read_extent(const CgnsSource& source, int number, int cell_dimension,
+                                  CgnsName& name) {
     ZoneType_t type{};
     std::array<cgsize_t, 9> size{};
     source.check(cg_zone_type(source.file(), CgnsSource::base(), number, &type));
     source.check(cg_zone_read(source.file(), CgnsSource::base(), number, name.data(), size.data()));
     if (type != Structured) {
+        if (source.leaves_out()) return std::nullopt;
         source.cannot_read(fmt::format(
             "zone '{}' is unstructured; hexweave reads structured zones only", name.data()));
     }
@@ -136,17 +140,18 @@ Extent read_extent(const CgnsSource& source, int number, int cell_dimension, Cgn
         }
         nodes[axis] = static_cast<int>(size[axis]);
     }
-    return {nodes[0], nodes[1], nodes[2]};
+    return Extent{nodes[0], nodes[1], nodes[2]};
 }
 
 void look_at_zone(const CgnsSource& source, int number, GridOutline& grid) {
     CgnsName name{};
-    const Extent extent = read_extent(source, number, grid.cell_dimension, name);
+    const std::optional<Extent> extent = read_extent(source, number, grid.cell_dimension, name);
+    if (!extent) return;
     for (int axis = 0; axis < grid.physical_dimension; ++axis) {
         look_at_coordinate(source, number, coordinate_names[static_cast<std::size_t>(axis)],
                            name.data(), grid.units);
     }
-    grid.zones.push_back({name.data(), extent});
+    grid.zones.push_back({name.data(), *extent, number});
 }
 
 Zone read_zone(const CgnsSource& source, const GridOutline& outline, int number) {
@@ -194,31 +199,6 @@ MultiblockGrid read_grid(const std::filesystem::path& path) {
 
 }  // namespace
 
-CgnsSource::CgnsSource(const std::filesystem::path& path) : path_(path), file_(path, CG_MODE_READ) {
-    if (!file_.is_open()) {
-        int type = CG_FILE_NONE;
-        if (cg_is_cgns(path_.c_str(), &type) != CG_OK) cannot_read("it is not a CGNS file");
-        damaged();
-    }
-    errors_.listen();
-}
-
-void CgnsSource::cannot_read(const std::string& fact) const {
-    // Names in a damaged file may hold anything; a message is one line.
-    std::string line = fact;
-    const auto is_control = [](char c) {
-        constexpr char first_printable = 0x20;
-        constexpr char erase = 0x7f;
-        return (c >= 0 && c < first_printable) || c == erase;
-    };
-    std::replace_if(line.begin(), line.end(), is_control, '?');
-    throw UsageError(fmt::format("cannot read '{}': {}", path_.string(), line));
-}
-
-void CgnsSource::damaged() const {
-    cannot_read(fmt::format("it is damaged ({})", cg_get_error()));
-}
-
 GridOutline read_outline(const CgnsSource& source) {
     GridOutline grid;
     read_base(source, grid);
@@ -227,6 +207,7 @@ GridOutline read_outline(const CgnsSource& source) {
     source.check(cg_nzones(source.file(), CgnsSource::base(), &zones));
     if (zones < 1) source.cannot_read("it holds no zones");
     for (int zone = 1; zone <= zones; ++zone) look_at_zone(source, zone, grid);
+    if (grid.zones.empty()) source.cannot_read("it holds no structured zones");
     read_interfaces(source, grid);
     read_patches(source, grid);
     return grid;
@@ -247,7 +228,7 @@ void read_points(const CgnsSource& source, const GridOutline& grid, int zone, co
             std::fill_n(to[axis], nodes, 0.0);
             continue;
         }
-        source.check(cg_coord_read(source.file(), CgnsSource::base(), zone + 1,
+        source.check(cg_coord_read(source.file(), CgnsSource::base(), zone_of(grid, zone).number,
                                    coordinate_names[axis], RealDouble, first.data(), last.data(),
                                    to[axis]));
     }

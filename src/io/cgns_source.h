@@ -17,12 +17,17 @@ namespace hexweave {
 /// Room for a name that libcgns writes.
 using CgnsName = std::array<char, longest_cgns_name + 1>;
 
-/// An open file with one base. The functions below throw UsageError.
+/// What becomes of the parts of a file that are no structured grid: further bases, unstructured
+/// zones, boundary conditions that cover no rectangle.
+enum class OtherParts { refused, left_out };
+
+/// An open file; of several bases the first one. The functions below throw UsageError.
 class CgnsSource {
 public:
-    explicit CgnsSource(const std::filesystem::path& path);
+    explicit CgnsSource(const std::filesystem::path& path, OtherParts parts = OtherParts::refused);
 
     int file() const { return file_; }
+    bool leaves_out() const { return parts_ == OtherParts::left_out; }
     static constexpr int base() { return 1; }
 
     [[noreturn]] void cannot_read(const std::string& fact) const;
@@ -34,9 +39,17 @@ public:
 
 private:
     std::filesystem::path path_;
+    OtherParts parts_;
     Hdf5Errors errors_;
     CgnsFile file_;
 };
+
+inline const ZoneOutline& zone_of(const GridOutline& grid, int zone) {
+    return grid.zones[static_cast<std::size_t>(zone)];
+}
+
+/// Whether a zone of this extent has all nodes of the box.
+bool lies_in(const IndexBox& box, const Extent& extent);
 
 /// Everything but the coordinates, and what else the file holds.
 GridOutline read_outline(const CgnsSource& source);
@@ -69,8 +82,9 @@ void read_interfaces(const CgnsSource& source, GridOutline& grid);
 /// own type is not its family's keeps it.
 void read_patches(const CgnsSource& source, GridOutline& grid);
 
-/// The nodes of the file that no function here reads, by kind, in the order of the tree.
-std::vector<OtherNodes> find_other_nodes(const CgnsSource& source);
+/// The nodes of the file that no function here reads, and those that were left out of `outline`, by
+/// kind, in the order of the tree.
+std::vector<OtherNodes> find_other_nodes(const CgnsSource& source, const GridOutline& outline);
 
 /// Throws UsageError unless `path` is a file that this process may read.
 void require_readable(const std::filesystem::path& path);

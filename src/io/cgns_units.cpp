@@ -65,15 +65,16 @@ NodeUnits units_of_coordinate(const CgnsSource& source, int zone, int coordinate
 
 std::optional<Periodicity> read_periodicity(const CgnsSource& source, const GridOutline& grid,
                                             int zone, int number) {
+    const int zone_number = zone_of(grid, zone).number;
     std::array<float, 3> center{};
     std::array<float, 3> angle{};
     std::array<float, 3> translation{};
-    const int answer = cg_1to1_periodic_read(source.file(), CgnsSource::base(), zone + 1, number,
+    const int answer = cg_1to1_periodic_read(source.file(), CgnsSource::base(), zone_number, number,
                                              center.data(), angle.data(), translation.data());
     if (answer == CG_NODE_NOT_FOUND) return std::nullopt;
     source.check(answer);
     const auto units = [&](const char* part) {
-        return units_of_periodicity(source, zone + 1, number, part);
+        return units_of_periodicity(source, zone_number, number, part);
     };
     const auto length_factor = [&](const char* part) {
         const std::string length = units(part).length;

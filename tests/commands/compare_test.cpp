@@ -311,6 +311,35 @@ TEST_CASE("nodes that are not known are listed, not compared") {
     CHECK_THAT(scratch.hexweave("compare plain.cgns more.cgns").out, Contains("the golden grid: "));
 }
 
+TEST_CASE("parts of a file that are no structured grid are listed, not compared") {
+    const Scratch scratch;
+    write_box(scratch.path() / "plain.cgns", leave_alone);
+    write_box(scratch.path() / "more.cgns", [](int file, int base, int zone) {
+        int number = 0;
+        // Before and after the box by name.
+        for (const char* name : {"a_tets", "z_tets"}) {
+            const cgsize_t size[3] = {8, 1, 0};
+            REQUIRE(cg_zone_write(file, base, name, size, Unstructured, &number) == CG_OK);
+        }
+        const cgsize_t scattered[9] = {1, 1, 1, 1, 2, 1, 1, 1, 2};
+        REQUIRE(cg_boco_write(file, base, zone, "dots", BCWall, PointList, 3, scattered, &number) ==
+                CG_OK);
+        REQUIRE(cg_base_write(file, "Other", 3, 3, &number) == CG_OK);
+    });
+    for (const std::string match : {"name", "geometry"}) {
+        const Finished run = scratch.hexweave("compare more.cgns plain.cgns --match " + match);
+        INFO(run.out << run.err);
+        CHECK(run.exit_code == 0);
+        CHECK_THAT(run.out, Contains("in the new grid: CGNSBase_t (1), /Other\n"));
+        CHECK_THAT(run.out, Contains("in the new grid: Zone_t (2), /Base/a_tets, ...\n"));
+        CHECK_THAT(run.out, Contains("in the new grid: BC_t (1), /Base/box/ZoneBC/dots\n"));
+        CHECK_THAT(run.out, Contains("same: 60 points in 1 zone"));
+    }
+    for (const std::string command : {"quality more.cgns", "convert more.cgns new.xyz"}) {
+        CHECK(scratch.hexweave(command).exit_code == 2);
+    }
+}
+
 TEST_CASE("an ADF file is the same as the HDF5 file of the same grid") {
     const Scratch scratch;
     write_box(scratch.path() / "hdf5.cgns", leave_alone);
