@@ -275,8 +275,7 @@ Vec3 boundary_area(const PointField& x) {
 
 }  // namespace
 
-Vec3 plane_normal(const PointField& face) {
-    constexpr double thickness = 1e-12;
+Vec3 plane_normal(const PointField& face, double thickness) {
     const Vec3 area = boundary_area(face);
     const double size = norm(area);
     if (!(size > 0)) return {};

@@ -28,8 +28,9 @@ struct FoldedCell {
 
 /// The normal that corners of a planar face are measured against: that of the plane, to the side on
 /// which the face's boundary encloses a positive area, so that a face of either sense is sound.
-/// Zero when the face is not planar.
-Vec3 plane_normal(const PointField& face);
+/// Zero when the face is not planar: when points are off it by more than `thickness` times the root
+/// of twice that area.
+Vec3 plane_normal(const PointField& face, double thickness = 1e-12);
 
 /// Cells with a corner whose scaled Jacobian is not above `fold_limit`. Of a block: the triple
 /// product of the corner's three edges over the product of their lengths (right-handed blocks are

@@ -46,11 +46,24 @@ Json histogram(const Histogram& h) {
     return {{"measure", h.measure}, {"limits", h.limits}, {"counts", h.counts}};
 }
 
+const char* verdict_name(JacobianVerdict verdict) {
+    switch (verdict) {
+        case JacobianVerdict::positive:
+            return "positive";
+        case JacobianVerdict::not_positive:
+            return "not positive";
+        case JacobianVerdict::undecided:
+            break;
+    }
+    return "undecided";
+}
+
 Json worst_cell(const WorstCell& w) {
     return {{"zone", w.zone},
             {"cell", json_of(w.cell)},
             {"place", json_of(w.place)},
             {"scaled_jacobian", json_of(w.scaled_jacobian)},
+            {"jacobian", verdict_name(w.verdict)},
             {"volume", json_of(w.volume)},
             {"skewness", json_of(w.skewness)}};
 }

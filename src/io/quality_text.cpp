@@ -137,26 +137,32 @@ std::string worst_table(const GridQuality& q) {
         const auto zone = std::find_if(q.zones.begin(), q.zones.end(), [&](const ZoneQuality& z) {
             return z.measure.name == w.zone;
         });
-        text += fmt::format("{:<{}} {:>18} {:>10.6f} {:>11.3e} {:>9.4f}  {}\n", w.zone, width,
+        const bool hidden = w.verdict == JacobianVerdict::not_positive && w.scaled_jacobian > 0;
+        text += fmt::format("{:<{}} {:>18} {:>10.6f} {:>11.3e} {:>9.4f}  {}{}\n", w.zone, width,
                             cell_text(w.cell, zone->measure.extent), w.scaled_jacobian, w.volume,
-                            w.skewness, place_text(w.place));
+                            w.skewness, place_text(w.place), hidden ? ", not positive inside" : "");
     }
     return text;
 }
 
 std::string verdict_line(const GridQuality& q) {
     if (q.sound()) {
-        return fmt::format("sound: {} zone{}, {} cells, none folded\n", q.zones.size(),
-                           q.zones.size() == 1 ? "" : "s", q.cells());
+        return fmt::format("sound: {}, {} cells, none folded\n", counted(q.zones.size(), "zone"),
+                           grouped(q.cells()));
     }
     std::string text = "NOT SOUND:";
-    if (q.folded() > 0) text += fmt::format(" {} folded cells,", q.folded());
+    if (q.folded() > 0) text += fmt::format(" {},", counted(q.folded(), "folded cell"));
     if (q.not_positive() > 0) {
-        text += fmt::format(" {} cells with a Jacobian that is not positive somewhere,",
-                            q.not_positive());
+        text += fmt::format(" {} with a Jacobian that is not positive somewhere,",
+                            counted(q.not_positive(), "cell"));
+    }
+    if (q.folded() + q.not_positive() > 0 && !q.worst.empty()) {
+        text += fmt::format(" the worst in '{}' at {},", q.worst.front().zone,
+                            place_text(q.worst.front().place));
     }
     if (q.mismatched() > 0) {
-        text += fmt::format(" {} interface nodes that differ on the two sides,", q.mismatched());
+        text += fmt::format(" {} of interfaces that differ on the two sides,",
+                            counted(q.mismatched(), "node"));
     }
     text.back() = '\n';
     return text;

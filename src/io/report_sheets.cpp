@@ -183,13 +183,13 @@ struct ShownMeasures {
     double aspect_ratio = 1;
     bool folded = false;
 
-    void include(const PointField& points, const Node& cell, bool planar) {
-        const CellMeasures m = measure_cell(points, cell, planar);
+    void include(const PointField& points, const Node& cell, const Vec3& plane) {
+        const CellMeasures m = measure_cell(points, cell, plane);
         // NaN is the worst of all values.
         if (!(m.scaled_jacobian >= scaled_jacobian)) scaled_jacobian = m.scaled_jacobian;
         if (!(m.skewness <= skewness)) skewness = m.skewness;
         if (!(m.aspect_ratio <= aspect_ratio)) aspect_ratio = m.aspect_ratio;
-        const CellCorners corners = cell_corners(points, cell, planar);
+        const CellCorners corners = cell_corners(points, cell, plane);
         folded = folded || std::any_of(corners.begin(), corners.end(),
                                        [](const CellCorner& c) { return c.folds(); });
     }
@@ -218,10 +218,8 @@ std::vector<int> layers_beside(const ReportSheet& sheet, const Extent& extent) {
     return layers;
 }
 
-ShownMeasures measures_between(const MultiblockGrid& grid, const ReportSheet& sheet,
-                               std::size_t first, std::size_t second) {
-    const PointField& points = grid.zones[static_cast<std::size_t>(sheet.zone)].points;
-    const bool planar = grid.physical_dimension == 2;
+ShownMeasures measures_between(const PointField& points, const Vec3& plane,
+                               const ReportSheet& sheet, std::size_t first, std::size_t second) {
     const auto axes = running_axes(sheet.axis);
     ShownMeasures shown;
     for (const int layer : layers_beside(sheet, points.extent())) {
@@ -231,7 +229,7 @@ ShownMeasures measures_between(const MultiblockGrid& grid, const ReportSheet& sh
                 cell[static_cast<std::size_t>(sheet.axis)] = layer;
                 cell[axes[0]] = m;
                 cell[axes[1]] = n;
-                shown.include(points, cell, planar);
+                shown.include(points, cell, plane);
             }
         }
     }
@@ -292,10 +290,12 @@ std::vector<std::uint8_t> sheet_coordinates(const MultiblockGrid& grid, const Re
 }
 
 std::vector<std::uint8_t> sheet_measures(const MultiblockGrid& grid, const ReportSheet& sheet) {
+    const PointField& points = grid.zones[static_cast<std::size_t>(sheet.zone)].points;
+    const Vec3 plane = zone_plane(points, grid.physical_dimension);
     std::vector<std::uint8_t> bytes;
     for (std::size_t second = 0; second + 1 < sheet.lines[1].size(); ++second) {
         for (std::size_t first = 0; first + 1 < sheet.lines[0].size(); ++first) {
-            append(bytes, measures_between(grid, sheet, first, second));
+            append(bytes, measures_between(points, plane, sheet, first, second));
         }
     }
     return bytes;

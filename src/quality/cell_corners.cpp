@@ -4,12 +4,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "elliptic/fold_count.h"
+
 namespace hexweave {
 
 namespace {
-
-/// A corner is folded when its scaled Jacobian is not above this.
-constexpr double fold_limit = 1e-9;
 
 /// Where two sides of a zone meet at more than 150 degrees, a corner may be flat.
 const double flat_cosine = std::cos(150.0 / 180.0 * std::acos(-1.0));
@@ -75,8 +74,8 @@ bool is_at_pole(const Node& node, const Extent& extent, const std::array<Vec3, 3
 
 /// The unit normal that a surface cell's corners are measured against; zero for a cell without
 /// area.
-Vec3 surface_normal(const PointField& x, const Node& cell, bool planar) {
-    if (planar) return {0, 0, 1};
+Vec3 surface_normal(const PointField& x, const Node& cell, const Vec3& plane) {
+    if (!(plane == Vec3{})) return plane;
     const int i = cell[0];
     const int j = cell[1];
     const Vec3 normal = cross(x(i + 1, j + 1) - x(i, j), x(i, j + 1) - x(i + 1, j));
@@ -120,9 +119,15 @@ bool CellCorner::folds() const {
     return !counted_apart() && !(scaled_jacobian > fold_limit);
 }
 
-CellCorners cell_corners(const PointField& x, const Node& cell, bool planar) {
+Vec3 zone_plane(const PointField& points, int physical_dimension) {
+    constexpr double single_precision = 1e-6;
+    if (points.extent().nk > 1) return {};
+    return physical_dimension == 2 ? Vec3{0, 0, 1} : plane_normal(points, single_precision);
+}
+
+CellCorners cell_corners(const PointField& x, const Node& cell, const Vec3& plane) {
     const bool is_surface = x.extent().nk == 1;
-    const Vec3 normal = is_surface ? surface_normal(x, cell, planar) : Vec3{};
+    const Vec3 normal = is_surface ? surface_normal(x, cell, plane) : Vec3{};
     CellCorners result;
     result.count = is_surface ? 4 : 8;
     for (int c = 0; c < result.count; ++c) {

@@ -37,7 +37,13 @@ struct CellCorners {
     const CellCorner* end() const { return corners.data() + count; }
 };
 
-/// `planar`: a surface cell is measured against +z; else against its own mean normal.
-CellCorners cell_corners(const PointField& x, const Node& cell, bool planar);
+/// The unit normal that the cells of a surface zone are measured against: +z where the grid has two
+/// dimensions; that of the plane where the zone lies in one (to the round-off of single precision),
+/// to the side on which its boundary encloses a positive area. Zero for a surface in space, each
+/// cell of which is measured against its own mean normal, and for a block.
+Vec3 zone_plane(const PointField& points, int physical_dimension);
+
+/// `plane`: as zone_plane gives it.
+CellCorners cell_corners(const PointField& x, const Node& cell, const Vec3& plane);
 
 }  // namespace hexweave

@@ -48,16 +48,16 @@ double cell_aspect_ratio(const CellNodes& nodes, std::size_t axes) {
     return longest > 0 ? longest / shortest : 1;
 }
 
-double surface_cell_area(const CellNodes& n, bool planar) {
+double surface_cell_area(const CellNodes& n, const Vec3& plane) {
     const Vec3 area = 0.5 * cross(n[3] - n[0], n[2] - n[1]);
-    return planar ? area.z : norm(area);
+    return plane == Vec3{} ? norm(area) : dot(area, plane);
 }
 
-CellMeasures measure_cell(const PointField& x, const Node& cell, bool planar) {
+CellMeasures measure_cell(const PointField& x, const Node& cell, const Vec3& plane) {
     const std::size_t axes = x.extent().nk == 1 ? 2 : 3;
     const CellNodes nodes = cell_nodes(x, cell);
     CellMeasures measures;
-    for (const CellCorner& corner : cell_corners(x, cell, planar)) {
+    for (const CellCorner& corner : cell_corners(x, cell, plane)) {
         if (corner.counted_apart()) continue;
         if (!(corner.scaled_jacobian >= measures.scaled_jacobian)) {
             measures.scaled_jacobian = corner.scaled_jacobian;
@@ -68,7 +68,7 @@ CellMeasures measure_cell(const PointField& x, const Node& cell, bool planar) {
     });
     measures.aspect_ratio = cell_aspect_ratio(nodes, axes);
     measures.volume =
-        axes == 3 ? cell_volume(jacobian_coefficients(nodes)) : surface_cell_area(nodes, planar);
+        axes == 3 ? cell_volume(jacobian_coefficients(nodes)) : surface_cell_area(nodes, plane);
     return measures;
 }
 

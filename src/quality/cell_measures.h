@@ -20,8 +20,9 @@ CellNodes cell_nodes(const PointField& x, const Node& cell);
 /// Longest over shortest edge, edges without length apart; `axes` is 2 for a surface cell, else 3.
 double cell_aspect_ratio(const CellNodes& nodes, std::size_t axes);
 
-/// Half the product of the diagonals of a surface cell; of a planar one seen from +z, with sign.
-double surface_cell_area(const CellNodes& nodes, bool planar);
+/// Half the product of the diagonals of a surface cell; where the zone has a plane seen along its
+/// normal, with sign.
+double surface_cell_area(const CellNodes& nodes, const Vec3& plane);
 
 /// Calls visit(degrees from 90) for the angle at every corner between every pair of axes; an angle
 /// at an edge without length does not count.
@@ -49,7 +50,7 @@ struct CellMeasures {
     double volume = 0;  ///< the area of a surface cell
 };
 
-/// `planar`: a surface cell lies in the (x, y) plane.
-CellMeasures measure_cell(const PointField& x, const Node& cell, bool planar);
+/// `plane`: as zone_plane gives it.
+CellMeasures measure_cell(const PointField& x, const Node& cell, const Vec3& plane);
 
 }  // namespace hexweave

@@ -22,9 +22,9 @@ Vec3 centre_of(const CellNodes& nodes, int count) {
 
 class Collector {
 public:
-    Collector(const Zone& zone, bool planar, int worst_count)
+    Collector(const Zone& zone, const Vec3& plane, int worst_count)
         : zone_(zone),
-          planar_(planar),
+          plane_(plane),
           worst_count_(static_cast<std::size_t>(worst_count)),
           axes_(zone.points.extent().nk == 1 ? 2 : 3) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -40,13 +40,12 @@ public:
 
 private:
     double include_corners(const Node& cell, const Vec3& centre, const CellCorners& corners);
-    double include_volume(const Node& cell, const Vec3& centre, const CellNodes& nodes,
-                          const CellCorners& corners);
+    void include_volume(WorstCell& cell, const CellNodes& nodes, const CellCorners& corners);
     double include_angles(const CellNodes& nodes);
     void keep_worst(const WorstCell& cell);
 
     const Zone& zone_;
-    bool planar_;
+    Vec3 plane_;
     std::size_t worst_count_;
     std::size_t axes_;
 };
@@ -71,12 +70,12 @@ double Collector::include_corners(const Node& cell, const Vec3& centre,
     return least_scaled;
 }
 
-/// Returns the volume of the cell.
-double Collector::include_volume(const Node& cell, const Vec3& centre, const CellNodes& nodes,
-                                 const CellCorners& corners) {
+/// Finds the volume of the cell, and whether its Jacobian is positive.
+void Collector::include_volume(WorstCell& cell, const CellNodes& nodes,
+                               const CellCorners& corners) {
     ZoneQuality& q = statistics.quality;
-    double volume = 0;
-    JacobianVerdict verdict = JacobianVerdict::positive;
+    double& volume = cell.volume;
+    JacobianVerdict& verdict = cell.verdict;
     if (axes_ == 3) {
         const JacobianCoefficients coefficients = jacobian_coefficients(nodes);
         FlatCorners flat{};
@@ -85,18 +84,17 @@ double Collector::include_volume(const Node& cell, const Vec3& centre, const Cel
         verdict = judge_jacobian(coefficients, flat);
     } else {
         // The Jacobian of a bilinear map is linear along every side: its corners bound it.
-        volume = surface_cell_area(nodes, planar_);
+        volume = surface_cell_area(nodes, plane_);
         for (const CellCorner& corner : corners) {
             if (corner.folds()) verdict = JacobianVerdict::not_positive;
         }
     }
     q.volume += volume;
-    keep_least(q.least_volume, {volume, cell, centre});
-    keep_greatest(q.greatest_volume, {volume, cell, centre});
+    keep_least(q.least_volume, {volume, cell.cell, cell.place});
+    keep_greatest(q.greatest_volume, {volume, cell.cell, cell.place});
     q.positive += verdict == JacobianVerdict::positive;
     q.not_positive += verdict == JacobianVerdict::not_positive;
     q.undecided += verdict == JacobianVerdict::undecided;
-    return volume;
 }
 
 /// Returns the skewness of the cell.
@@ -111,14 +109,10 @@ double Collector::include_angles(const CellNodes& nodes) {
 
 void Collector::keep_worst(const WorstCell& cell) {
     auto& worst = statistics.worst;
-    if (worst.size() == worst_count_ &&
-        (worst.empty() || !(cell.scaled_jacobian < worst.back().scaled_jacobian))) {
+    if (worst.size() == worst_count_ && (worst.empty() || !is_worse(cell, worst.back()))) {
         return;
     }
-    const auto at = std::upper_bound(worst.begin(), worst.end(), cell,
-                                     [](const WorstCell& a, const WorstCell& b) {
-                                         return a.scaled_jacobian < b.scaled_jacobian;
-                                     });
+    const auto at = std::upper_bound(worst.begin(), worst.end(), cell, is_worse);
     worst.insert(at, cell);
     if (worst.size() > worst_count_) worst.pop_back();
 }
@@ -126,17 +120,18 @@ void Collector::keep_worst(const WorstCell& cell) {
 void Collector::include(const Node& cell) {
     const CellNodes nodes = cell_nodes(zone_.points, cell);
     const Vec3 centre = centre_of(nodes, axes_ == 3 ? 8 : 4);
-    const CellCorners corners = cell_corners(zone_.points, cell, planar_);
-    const double scaled = include_corners(cell, centre, corners);
-    const double volume = include_volume(cell, centre, nodes, corners);
-    const double skewness = include_angles(nodes);
-    statistics.skewness.include(skewness);
-    statistics.quality.mean_skewness += skewness;
-    keep_greatest(statistics.quality.greatest_skewness, {skewness, cell, centre});
+    const CellCorners corners = cell_corners(zone_.points, cell, plane_);
+    WorstCell judged{zone_.name, cell, centre};
+    judged.scaled_jacobian = include_corners(cell, centre, corners);
+    include_volume(judged, nodes, corners);
+    judged.skewness = include_angles(nodes);
+    statistics.skewness.include(judged.skewness);
+    statistics.quality.mean_skewness += judged.skewness;
+    keep_greatest(statistics.quality.greatest_skewness, {judged.skewness, cell, centre});
     const double aspect = cell_aspect_ratio(nodes, axes_);
     statistics.aspect_ratio.include(aspect);
     keep_greatest(statistics.quality.greatest_aspect_ratio, {aspect, cell, centre});
-    keep_worst({zone_.name, cell, centre, scaled, volume, skewness});
+    keep_worst(judged);
 }
 
 void Collector::include(const Collector& later) {
@@ -167,12 +162,13 @@ Histogram skewness_in_thousandths() {
     return {"equiangle skewness", std::move(limits)};
 }
 
-CellStatistics cell_statistics(const Zone& zone, bool planar, int worst_count) {
+CellStatistics cell_statistics(const Zone& zone, int physical_dimension, int worst_count) {
+    const Vec3 plane = zone_plane(zone.points, physical_dimension);
     const Extent e = zone.points.extent();
     // Rows of cells are parts of their own, put together in their order: sums do not depend on the
     // number of threads.
     const auto layers = static_cast<std::size_t>(e.nk == 1 ? e.nj - 1 : e.nk - 1);
-    std::vector<Collector> parts(layers, Collector(zone, planar, worst_count));
+    std::vector<Collector> parts(layers, Collector(zone, plane, worst_count));
     parallel_for(layers, [&](std::size_t layer) {
         const int n = static_cast<int>(layer);
         const int first_j = e.nk == 1 ? n : 0;
@@ -181,7 +177,7 @@ CellStatistics cell_statistics(const Zone& zone, bool planar, int worst_count) {
             for (int i = 0; i + 1 < e.ni; ++i) parts[layer].include({i, j, e.nk == 1 ? 0 : n});
         }
     });
-    Collector all(zone, planar, worst_count);
+    Collector all(zone, plane, worst_count);
     for (const Collector& part : parts) all.include(part);
     all.statistics.quality.mean_skewness /=
         static_cast<double>(std::max<std::size_t>(e.cells(), 1));

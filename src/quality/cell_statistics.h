@@ -24,7 +24,7 @@ struct CellStatistics {
     std::vector<WorstCell> worst;  ///< worst first
 };
 
-/// Over the cells of one zone. `planar`: a surface zone lies in the (x, y) plane.
-CellStatistics cell_statistics(const Zone& zone, bool planar, int worst_count);
+/// Over the cells of one zone; surface cells are measured against zone_plane.
+CellStatistics cell_statistics(const Zone& zone, int physical_dimension, int worst_count);
 
 }  // namespace hexweave

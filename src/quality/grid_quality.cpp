@@ -31,9 +31,7 @@ void merge(std::vector<Histogram>& all, const CellStatistics& cells) {
 void keep_worst(std::vector<WorstCell>& worst, const std::vector<WorstCell>& found,
                 std::size_t count) {
     worst.insert(worst.end(), found.begin(), found.end());
-    std::stable_sort(worst.begin(), worst.end(), [](const WorstCell& a, const WorstCell& b) {
-        return a.scaled_jacobian < b.scaled_jacobian;
-    });
+    std::stable_sort(worst.begin(), worst.end(), is_worse);
     worst.resize(std::min(worst.size(), count));
 }
 
@@ -44,6 +42,12 @@ std::size_t sum_of(const std::vector<ZoneQuality>& zones, std::size_t ZoneQualit
 }
 
 }  // namespace
+
+bool is_worse(const WorstCell& a, const WorstCell& b) {
+    const bool a_fails = a.verdict == JacobianVerdict::not_positive;
+    const bool b_fails = b.verdict == JacobianVerdict::not_positive;
+    return a_fails != b_fails ? a_fails : a.scaled_jacobian < b.scaled_jacobian;
+}
 
 std::size_t GridQuality::cells() const {
     std::size_t sum = 0;
@@ -97,14 +101,13 @@ GridQuality measure_quality(const MultiblockGrid& grid, int worst_count) {
     GridQuality quality;
     quality.title = grid.title;
     quality.units = grid.units;
-    const bool planar = grid.physical_dimension == 2;
     const CellStatistics empty;
     quality.histograms = {empty.scaled_jacobian,
                           empty.skewness.coarsened({0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}),
                           empty.aspect_ratio, empty.deviation,
                           Histogram("growth", {1.1, 1.2, 1.3, 1.5, 2, 5})};
     for (const Zone& zone : grid.zones) {
-        const CellStatistics cells = cell_statistics(zone, planar, worst_count);
+        const CellStatistics cells = cell_statistics(zone, grid.physical_dimension, worst_count);
         merge(quality.histograms, cells);
         include_growth(zone.points, quality.histograms.back());
         keep_worst(quality.worst, cells.worst, static_cast<std::size_t>(worst_count));

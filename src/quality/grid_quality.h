@@ -9,6 +9,7 @@
 
 #include "core/multiblock.h"
 #include "quality/histogram.h"
+#include "quality/jacobian_bound.h"
 #include "quality/report.h"
 #include "quality/smoothness.h"
 #include "quality/walls.h"
@@ -49,7 +50,8 @@ struct InterfaceQuality {
     BendMeasure bends;
 };
 
-/// A cell among the worst: by the least scaled Jacobian of its corners.
+/// A cell among the worst: those whose Jacobian is not positive somewhere before all others, then
+/// by the least scaled Jacobian of their corners.
 struct WorstCell {
     std::string zone;
     Node cell{};
@@ -57,7 +59,10 @@ struct WorstCell {
     double scaled_jacobian = 1;
     double volume = 0;
     double skewness = 0;
+    JacobianVerdict verdict = JacobianVerdict::positive;
 };
+
+bool is_worse(const WorstCell& a, const WorstCell& b);
 
 struct GridQuality {
     std::string title;

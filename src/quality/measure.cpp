@@ -17,9 +17,9 @@ namespace hexweave {
 namespace {
 
 /// Enters one cell's corners into the measure of its zone.
-void include_cell(const PointField& x, const Node& cell, bool planar, ZoneMeasure& zone) {
+void include_cell(const PointField& x, const Node& cell, const Vec3& plane, ZoneMeasure& zone) {
     bool folded = false;
-    for (const CellCorner& corner : cell_corners(x, cell, planar)) {
+    for (const CellCorner& corner : cell_corners(x, cell, plane)) {
         zone.pole_corners += corner.at_pole;
         zone.flat_corners += corner.flat;
         if (corner.counted_apart()) continue;
@@ -35,11 +35,11 @@ void include_cell(const PointField& x, const Node& cell, bool planar, ZoneMeasur
     zone.folded += folded;
 }
 
-void measure_cells(const PointField& x, bool planar, ZoneMeasure& zone) {
+void measure_cells(const PointField& x, const Vec3& plane, ZoneMeasure& zone) {
     const Extent e = x.extent();
     for (int k = 0; k < std::max(e.nk - 1, 1); ++k) {
         for (int j = 0; j + 1 < e.nj; ++j) {
-            for (int i = 0; i + 1 < e.ni; ++i) include_cell(x, {i, j, k}, planar, zone);
+            for (int i = 0; i + 1 < e.ni; ++i) include_cell(x, {i, j, k}, plane, zone);
         }
     }
 }
@@ -128,7 +128,7 @@ ZoneMeasure measure_zone(const Zone& zone, int physical_dimension) {
     measure.worst_place = zone.points[0];  // until a corner is worse than perfect
     measure.angles = measure_angles(zone.points);
     measure.growth = measure_growth(zone.points);
-    measure_cells(zone.points, physical_dimension == 2, measure);
+    measure_cells(zone.points, zone_plane(zone.points, physical_dimension), measure);
     return measure;
 }
 

@@ -16,10 +16,10 @@
 namespace hexweave {
 
 /// The cells of one zone. Scaled Jacobian of a corner: the determinant of its three edges over the
-/// product of their lengths; of a surface cell: the corner's normal against the cell's mean normal.
-/// A cell is folded when a corner is not above 1e-9, unless the corner lies where two sides of the
-/// zone meet at more than 150 degrees and the corner is flat there: such corners are counted apart.
-/// A surface zone is measured against +z when `physical_dimension` is 2.
+/// product of their lengths; of a surface cell: the corner's normal against that of the zone's
+/// plane, on a surface in space against the cell's mean normal. A cell is folded when a corner is
+/// not above 1e-9, unless the corner lies where two sides of the zone meet at more than 150 degrees
+/// and the corner is flat there: such corners are counted apart.
 ZoneMeasure measure_zone(const Zone& zone, int physical_dimension);
 
 /// Whether the nodes on the two sides of an interface are the same (images of each other where it

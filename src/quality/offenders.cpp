@@ -23,17 +23,11 @@ std::size_t cell_offset(const Node& cell, const Extent& e) {
                 static_cast<std::size_t>(e.nj - 1) * static_cast<std::size_t>(k));
 }
 
-/// The least of a cell's corners. Those of a surface cell are measured against its own normal,
-/// which does not show that it lies the wrong way round in the plane of its face; `plane` does.
+/// The least of a cell's corners.
 double least_corner(const PointField& x, const Node& cell, const Vec3& plane) {
-    double sign = 1;
-    if (!(plane == Vec3{})) {
-        const CellNodes n = cell_nodes(x, cell);
-        if (dot(cross(n[3] - n[0], n[2] - n[1]), plane) < 0) sign = -1;
-    }
     double least = 1;
-    for (const CellCorner& corner : cell_corners(x, cell, false)) {
-        if (!corner.counted_apart()) least = std::min(least, sign * corner.scaled_jacobian);
+    for (const CellCorner& corner : cell_corners(x, cell, plane)) {
+        if (!corner.counted_apart()) least = std::min(least, corner.scaled_jacobian);
     }
     return least;
 }

@@ -137,7 +137,7 @@ TEST_CASE("quality judges a grid of another's making and says so by its exit cod
     const Finished sound = scratch.hexweave("quality '" + grid + "' --json quality.json");
     CHECK(sound.exit_code == 0);
     CHECK_THAT(sound.out, Contains("Jacobian positive everywhere inside: 3584 of 3584 cells"));
-    CHECK_THAT(sound.out, Contains("sound: 1 zone, 3584 cells, none folded"));
+    CHECK_THAT(sound.out, Contains("sound: 1 zone, 3,584 cells, none folded"));
     CHECK(nlohmann::json::parse(scratch.read("quality.json"))["folded"] == 0);
 
     // Two columns of cells, the second on the wrong side of the first.
@@ -145,7 +145,8 @@ TEST_CASE("quality judges a grid of another's making and says so by its exit cod
     const Finished folded = scratch.hexweave("quality folded.p2d");
     INFO(folded.out << folded.err);
     CHECK(folded.exit_code == 1);
-    CHECK_THAT(folded.out, Contains("NOT SOUND: 1 folded cells"));
+    CHECK_THAT(folded.out, Contains("NOT SOUND: 1 folded cell, 1 cell with a Jacobian that is not "
+                                    "positive somewhere, the worst in 'block1' at (1.5, 0.5, 0)"));
 
     CHECK(scratch.hexweave("quality nowhere.cgns").exit_code == 2);
 }

@@ -54,5 +54,5 @@ TEST_CASE("quality as JSON holds the verdict, the zones and the histograms") {
     for (const auto& histogram : json["histograms"]) {
         CHECK(histogram["counts"].size() == histogram["limits"].size() + 1);
     }
-    CHECK(to_text(q).find("sound: 1 zone, 3584 cells, none folded") != std::string::npos);
+    CHECK(to_text(q).find("sound: 1 zone, 3,584 cells, none folded") != std::string::npos);
 }

@@ -60,7 +60,8 @@ std::string expected(const MultiblockGrid& grid) {
 }
 
 /// A zone with our measures of its cells, as tests/tools/vtk_quality.py reads it.
-void write_measured(const Zone& zone, bool planar, const std::filesystem::path& path) {
+void write_measured(const Zone& zone, int physical_dimension, const std::filesystem::path& path) {
+    const Vec3 plane = zone_plane(zone.points, physical_dimension);
     const Extent e = zone.points.extent();
     std::vector<double> scaled;
     std::vector<double> jacobian;
@@ -70,12 +71,12 @@ void write_measured(const Zone& zone, bool planar, const std::filesystem::path& 
         for (int j = 0; j + 1 < e.nj; ++j) {
             for (int i = 0; i + 1 < e.ni; ++i) {
                 const Node cell{i, j, k};
-                const CellMeasures measures = measure_cell(zone.points, cell, planar);
+                const CellMeasures measures = measure_cell(zone.points, cell, plane);
                 scaled.push_back(measures.scaled_jacobian);
                 volume.push_back(measures.volume);
                 jacobian.push_back(std::numeric_limits<double>::infinity());
                 skip.push_back(0);
-                for (const CellCorner& corner : cell_corners(zone.points, cell, planar)) {
+                for (const CellCorner& corner : cell_corners(zone.points, cell, plane)) {
                     jacobian.back() = std::min(jacobian.back(), corner.jacobian);
                     if (corner.counted_apart()) skip.back() = 1;
                 }
@@ -122,7 +123,7 @@ TEST_CASE("VTK's vtkMeshQuality finds the same Jacobians and volumes in real gri
         std::string command = "/usr/bin/python3 " HEXWEAVE_SOURCE_DIR "/tests/tools/vtk_quality.py";
         for (const Zone& zone : grid.zones) {
             const auto path = scratch.path(zone.name + ".vts");
-            write_measured(zone, grid.physical_dimension == 2, path);
+            write_measured(zone, grid.physical_dimension, path);
             command += " " + path.string();
         }
         const Outcome outcome = run(command);

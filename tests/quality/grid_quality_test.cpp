@@ -155,9 +155,31 @@ TEST_CASE("the quality of a grid does not depend on the number of threads") {
 
 TEST_CASE("the measures of one cell are those of the cell, not of its neighbours") {
     const MultiblockGrid box = sheared_box(60);
-    const CellMeasures sheared = measure_cell(box.zones[0].points, {1, 2, 3}, false);
+    const CellMeasures sheared = measure_cell(box.zones[0].points, {1, 2, 3}, {});
     CHECK(sheared.scaled_jacobian == Approx(std::sin(pi / 3)));
     CHECK(sheared.skewness == Approx(30.0 / 90));
     CHECK(sheared.aspect_ratio == Approx(2));
     CHECK(sheared.volume == Approx(0.5 * std::sin(pi / 3)));
+}
+
+TEST_CASE("a cell that is negative inside alone is the worst of all") {
+    // Its sides shrink to nothing and grow again as it rises: the Jacobian is (1 - 2 z) (1 - 4 z).
+    Zone hidden{"hidden", PointField({2, 2, 2})};
+    Zone slanted{"slanted", PointField({2, 2, 2})};
+    for (int k = 0; k < 2; ++k)
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i) {
+                hidden.points.set(i, j, k, {(1.0 - 2 * k) * i, (1.0 - 4 * k) * j, double(k)});
+                slanted.points.set(i, j, k, {i + 20.0 * j, double(j), double(k)});
+            }
+    MultiblockGrid grid;
+    grid.zones = {slanted, hidden};
+    const GridQuality quality = measure_quality(grid);
+    CHECK(quality.folded() == 0);
+    CHECK(quality.not_positive() == 1);
+    REQUIRE(quality.worst.size() == 2);
+    CHECK(quality.worst[0].zone == "hidden");
+    CHECK(quality.worst[0].scaled_jacobian > quality.worst[1].scaled_jacobian);
+    CHECK(quality.worst[0].verdict == JacobianVerdict::not_positive);
+    CHECK(quality.worst[1].verdict == JacobianVerdict::positive);
 }

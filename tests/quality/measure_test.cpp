@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "quality/cell_statistics.h"
 #include "quality/walls.h"
 
 using namespace hexweave;
@@ -102,6 +103,31 @@ TEST_CASE("a surface has no outside: only its own folds count") {
     Zone zone = make_zone({5, 5, 1}, mirrored);
     zone.points.set(2, 2, 0, {-4.5, 4.5, 0});
     CHECK(measure_zone(zone, 3).folded > 0);
+}
+
+TEST_CASE("a cell the wrong way round is folded in any plane, also of points in single precision") {
+    const double c = std::cos(0.4);
+    const double s = std::sin(0.4);
+    const auto tilted = [&](double i, double j, double) { return Vec3{c * i, j, s * i + 3}; };
+    const auto rounded = [&](double i, double j, double) {
+        const auto single = [](double value) {
+            return static_cast<double>(static_cast<float>(value));
+        };
+        return Vec3{single(c * i), single(j), single(s * i + 3)};
+    };
+    const auto level = [](double i, double j, double) { return Vec3{i, j, 0}; };
+    for (const auto& shape : std::vector<std::function<Vec3(double, double, double)>>{
+             tilted, rounded, level,
+             [&](double i, double j, double k) { return level(-i, j, k); }}) {
+        // Two lines of nodes exchanged: the cells between them lie the wrong way round.
+        Zone zone = make_zone({6, 5, 1}, [&](double i, double j, double k) {
+            return shape(i == 2 ? 3 : i == 3 ? 2 : i, j, k);
+        });
+        const ZoneMeasure m = measure_zone(zone, 3);
+        CHECK(m.folded == 4);
+        CHECK(m.worst_scaled_jacobian == Approx(-1).epsilon(1e-6));
+        CHECK(cell_statistics(zone, 3, 10).quality.not_positive == 4);
+    }
 }
 
 TEST_CASE("one node pulled through its neighbours folds the cells around it and is named") {
