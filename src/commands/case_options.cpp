@@ -112,7 +112,9 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
         .add_option("--json", options.json, "write the outcome as JSON to this file; - prints it")
         ->type_name("FILE");
     add_threads_option(command, options.threads);
-    command.add_flag("--strict", options.strict, "treat warnings as errors");
+    command.add_flag(
+        "--strict", options.strict,
+        "treat warnings as errors: exit 2 where the input is warned of, 1 where the grid is");
     CLI::Option* verbose =
         command.add_flag("--verbose", options.verbose, "print every solver step");
     command.add_flag("--quiet", options.quiet, "print nothing but errors")->excludes(verbose);

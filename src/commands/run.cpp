@@ -20,6 +20,7 @@
 #include "io/level_text.h"
 #include "io/offender_files.h"
 #include "io/output_files.h"
+#include "io/remarks.h"
 #include "io/report_text.h"
 #include "io/topology_text.h"
 
@@ -95,13 +96,18 @@ void make_levels(const LevelGrids& grids, const Progress& progress, OutputFiles&
 
 void print(const RunOptions& options, const PlannedOutput& made) {
     const std::string where_to_look = offender_lines(made.offenders);
-    fmt::print(stderr, "{}", cautions(made.report));
     // With the JSON on standard output nothing else may stand there.
     std::FILE* out = options.input.json == "-" ? stderr : stdout;
     if (!options.input.quiet) {
-        fmt::print(out, "{}{}\n{}\n{}", adjusted_counts_text(made.topology),
-                   to_text(made.report, options.input.verbose), verdict(made.report),
-                   where_to_look);
+        fmt::print(out, "{}{}\n", adjusted_counts_text(made.topology),
+                   to_text(made.report, options.input.verbose));
+    }
+    std::fflush(out);
+    for (const Remark& remark : remarks(made.report)) {
+        if (remark.is_warning) fmt::print(stderr, "{}", to_text(remark));
+    }
+    if (!options.input.quiet) {
+        fmt::print(out, "{}\n{}", verdict(made.report), where_to_look);
     } else if (!made.report.sound()) {
         std::vector<std::string> paths;
         for (const ReservedOutput& output : made.reserved) paths.push_back(output.output.path);
@@ -142,7 +148,7 @@ ExitCode run(const RunOptions& options, Outcome& outcome) {
         fmt::print(out, "wrote {} in {:.2f} s\n", fmt::join(outcome.outputs, ", "), taken.count());
     }
     const bool sound = std::all_of(made.begin(), made.end(), [&](const PlannedOutput& grid) {
-        const bool warned = options.input.strict && !grid.report.folded_faces().empty();
+        const bool warned = options.input.strict && has_warnings(grid.report);
         return grid.report.sound() && !warned;
     });
     return sound ? ExitCode::done : ExitCode::not_sound;

@@ -233,22 +233,24 @@ std::vector<HeldSide> hold_heights(PointField& points, const HeightRequests& req
     return held;
 }
 
-std::vector<double> height_ratios(const PointField& points, const HeldSide& held) {
+std::vector<HeightRatio> height_ratios(const PointField& points, const HeldSide& held) {
     return height_ratios(points, held, [](int, int) { return true; });
 }
 
-std::vector<double> height_ratios(const PointField& points, const HeldSide& held,
-                                  const std::function<bool(int, int)>& counts) {
+std::vector<HeightRatio> height_ratios(const PointField& points, const HeldSide& held,
+                                       const std::function<bool(int, int)>& counts) {
     const WallFrame wall(points.extent(), held.side);
-    std::vector<double> ratios;
+    std::vector<HeightRatio> ratios;
     ratios.reserve(wall.nodes().nodes());
     for (int b = 0; b < wall.count_b; ++b) {
         for (int a = 0; a < wall.count_a; ++a) {
-            if (counts(a, b))
-                ratios.push_back(height_at(points, wall, a, b, held.first) / held.asked(a, b));
+            if (!counts(a, b)) continue;
+            ratios.push_back({height_at(points, wall, a, b, held.first) / held.asked(a, b),
+                              points[wall.offset(a, b, 0)]});
         }
     }
-    std::sort(ratios.begin(), ratios.end());
+    std::stable_sort(ratios.begin(), ratios.end(),
+                     [](const HeightRatio& a, const HeightRatio& b) { return a.value < b.value; });
     return ratios;
 }
 

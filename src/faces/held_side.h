@@ -55,10 +55,15 @@ HeldSide hold_heights(PointField& points, Side side, const HeldHeights& request)
 /// All sides asked for, in order.
 std::vector<HeldSide> hold_heights(PointField& points, const HeightRequests& requests);
 
-/// The first cell's height over the asked one at every node (a, b) of the side that counts, in
-/// ascending order.
-std::vector<double> height_ratios(const PointField& points, const HeldSide& held,
-                                  const std::function<bool(int, int)>& counts);
-std::vector<double> height_ratios(const PointField& points, const HeldSide& held);
+/// The first cell's height over the asked one, at a node of a side.
+struct HeightRatio {
+    double value = 1;
+    Vec3 place;  ///< of the node
+};
+
+/// That of every node (a, b) of the side that counts, in ascending order.
+std::vector<HeightRatio> height_ratios(const PointField& points, const HeldSide& held,
+                                       const std::function<bool(int, int)>& counts);
+std::vector<HeightRatio> height_ratios(const PointField& points, const HeldSide& held);
 
 }  // namespace hexweave

@@ -8,9 +8,8 @@
 
 namespace hexweave {
 
-/// Tables of the sides at which heights are held, and of the walls at which they are not; below
-/// each what is more than a tenth off, why, and what to do. Ends with an empty line; empty where
-/// there is neither.
+/// Tables of the sides at which heights are held, and of the walls at which they are not. Ends with
+/// an empty line; empty where there is neither.
 std::string heights_text(const Report& report);
 
 }  // namespace hexweave

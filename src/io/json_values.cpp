@@ -33,21 +33,25 @@ Json json_of(const AngleMeasure& a) {
     return {{"corners", a.corners},
             {"least", json_of(a.least)},
             {"greatest", json_of(a.greatest)},
-            {"worst_place", json_of(a.worst_place)},
+            {"worst_place", json_of(a.worst_place())},
+            {"least_place", json_of(a.least_place)},
+            {"greatest_place", json_of(a.greatest_place)},
             {"within_5", a.within_5},
             {"within_10", a.within_10}};
 }
 
 Json json_of(const GrowthMeasure& g) {
+    if (!g.measured) return {{"ratio", nullptr}, {"place", nullptr}};
     return {{"ratio", json_of(g.ratio)}, {"place", json_of(g.place)}};
 }
 
 Json json_of(const WallMeasure& w) {
+    const bool has_angles = w.nodes > 0;
     return {{"family", w.family},
             {"nodes", w.nodes},
-            {"mean_angle", json_of(w.mean_angle)},
-            {"greatest_angle", json_of(w.greatest_angle)},
-            {"worst_place", json_of(w.worst_place)},
+            {"mean_angle", has_angles ? json_of(w.mean_angle) : Json(nullptr)},
+            {"greatest_angle", has_angles ? json_of(w.greatest_angle) : Json(nullptr)},
+            {"worst_place", has_angles ? json_of(w.worst_place) : Json(nullptr)},
             {"greatest_angle_beside_ends", json_of(w.greatest_angle_beside_ends)},
             {"least_height", json_of(w.least_height)},
             {"median_height", json_of(w.median_height)},
@@ -55,6 +59,8 @@ Json json_of(const WallMeasure& w) {
 }
 
 Json json_of(const ZoneMeasure& z) {
+    // Corners inside are there where every axis has nodes between its ends.
+    const bool has_inside = z.extent.ni > 2 && z.extent.nj > 2 && z.extent.nk != 2;
     return {{"name", z.name},
             {"nodes", json_of(z.extent)},
             {"cells", z.cells},
@@ -62,7 +68,7 @@ Json json_of(const ZoneMeasure& z) {
             {"flat_corners", z.flat_corners},
             {"pole_corners", z.pole_corners},
             {"worst_scaled_jacobian", json_of(z.worst_scaled_jacobian)},
-            {"worst_inside", json_of(z.worst_inside)},
+            {"worst_inside", has_inside ? json_of(z.worst_inside) : Json(nullptr)},
             {"worst_cell", json_of(z.worst_cell)},
             {"worst_place", json_of(z.worst_place)},
             {"angles", json_of(z.angles)},

@@ -43,7 +43,7 @@ std::string angle_line(const Report& report) {
     return fmt::format(
         "angles {:.1f} to {:.1f} degrees, the worst at {}; {:.1f} % within 5 "
         "of 90, {:.1f} % within 10\n",
-        angles.least, angles.greatest, place_text(angles.worst_place), percent(angles.within_5),
+        angles.least, angles.greatest, place_text(angles.worst_place()), percent(angles.within_5),
         percent(angles.within_10));
 }
 
@@ -67,24 +67,6 @@ std::string growth_line(const Report& report) {
         [](const auto& a, const auto& b) { return a.growth.ratio < b.growth.ratio; });
     if (worst != report.interfaces.end()) add("across", worst->growth.ratio, worst->name);
     return text.empty() ? text : text + "\n";
-}
-
-std::string bend_line(const Report& report) {
-    constexpr double striking = 30;
-    const auto worst = std::max_element(
-        report.interfaces.begin(), report.interfaces.end(),
-        [](const InterfaceMeasure& a, const InterfaceMeasure& b) { return a.bend < b.bend; });
-    if (worst == report.interfaces.end() || worst->bend < striking) return {};
-    std::string text =
-        fmt::format("warning: grid lines bend by up to {:.0f} degrees across '{}', at {}",
-                    worst->bend, worst->name, place_text(worst->bend_place));
-    const bool faces_alone = std::none_of(report.solves.begin(), report.solves.end(),
-                                          [](const SolveMeasure& s) { return s.is_block; });
-    if (faces_alone) {
-        text += fmt::format("\n  hint: `orthogonal` at {} and {} makes them cross it straight",
-                            worst->sides[0], worst->sides[1]);
-    }
-    return text + "\n";
 }
 
 std::string wall_lines(const Report& report) {

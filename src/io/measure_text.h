@@ -17,8 +17,6 @@ std::string zone_table(const Report& report);
 std::string angle_line(const Report& report);
 /// The greatest growth along the lines of each axis, and across interfaces.
 std::string growth_line(const Report& report);
-/// A warning of the worst bend across an interface, and what would straighten it.
-std::string bend_line(const Report& report);
 /// A line per family of walls: how lines leave it, and the first heights.
 std::string wall_lines(const Report& report);
 

@@ -12,6 +12,7 @@ Json extreme(const CellExtreme& e) {
 }
 
 Json bends(const BendMeasure& b) {
+    if (b.nodes == 0) return {{"greatest", nullptr}, {"mean", nullptr}, {"place", nullptr}};
     return {{"greatest", json_of(b.greatest)},
             {"mean", json_of(b.mean())},
             {"place", json_of(b.place)}};

@@ -83,9 +83,11 @@ std::string boundary_table(const GridQuality& q) {
         fmt::format("\n{:<{}} {:>9} | {:>22} | {:>11} {:>11} {:>11}\n", "boundary", width, "judged",
                     "off normal, ADO, MDO", "height min", "median", "max");
     for (const WallMeasure& b : q.boundaries) {
-        text += fmt::format("{:<{}} {:>9} | {:>13.2f} {:>8.2f} | {:>11.4e} {:>11.4e} {:>11.4e}\n",
-                            b.family, width, b.nodes, b.mean_angle, b.greatest_angle,
-                            b.least_height, b.median_height, b.greatest_height);
+        const std::string angles =
+            b.nodes > 0 ? fmt::format("{:>13.2f} {:>8.2f}", b.mean_angle, b.greatest_angle)
+                        : fmt::format("{:>13} {:>8}", "-", "-");
+        text += fmt::format("{:<{}} {:>9} | {} | {:>11.4e} {:>11.4e} {:>11.4e}\n", b.family, width,
+                            b.nodes, angles, b.least_height, b.median_height, b.greatest_height);
     }
     return text;
 }

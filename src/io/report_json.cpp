@@ -2,6 +2,7 @@
 #include "io/report_json.h"
 
 #include "io/json_values.h"
+#include "io/remarks.h"
 
 namespace hexweave {
 namespace {
@@ -167,6 +168,13 @@ Json report_json(const Report& r) {
                                                          {"place", json_of(p.place)}};
                                          })},
             {"gates", json_list(r.gates, gate)},
+            {"remarks", json_list(remarks(r),
+                                  [](const Remark& remark) {
+                                      return Json{
+                                          {"severity", remark.is_warning ? "warning" : "note"},
+                                          {"message", remark.message},
+                                          {"hint", remark.hint}};
+                                  })},
             {"seconds", json_list(r.stages, [](const StageTime& s) {
                  return Json{{"stage", s.stage}, {"seconds", json_of(s.seconds)}};
              })}};

@@ -10,6 +10,7 @@
 #include "io/heights_text.h"
 #include "io/level_text.h"
 #include "io/measure_text.h"
+#include "io/remarks.h"
 #include "io/solve_text.h"
 #include "io/text_parts.h"
 
@@ -184,22 +185,12 @@ std::string to_text(const Report& report, bool verbose) {
     std::string text = family_lines(report) + spacing_table(report) + put_lines(report);
     text += "\n" + solve_table(report, verbose);
     text += "\n" + heights_text(report) + zone_table(report);
-    text += "\n" + angle_line(report) + growth_line(report) + bend_line(report) +
-            wall_lines(report) + gate_lines(report);
-    text += "\n" + stage_line(report);
-    return text;
-}
-
-std::string cautions(const Report& report) {
-    std::string text;
-    for (const SolveMeasure* face : report.folded_faces()) {
-        const auto& untangling = face->result.untangling;
-        text += fmt::format(
-            "warning: face '{}' folds as a surface, in {}{}{}\n", face->name,
-            counted(static_cast<std::size_t>(face->result.folded_after), "cell"),
-            untangling && untangling->left_at ? " at " + place_text(*untangling->left_at) : "",
-            report.folded() == 0 ? "; no cell of the blocks is folded" : "");
+    text +=
+        "\n" + angle_line(report) + growth_line(report) + wall_lines(report) + gate_lines(report);
+    for (const Remark& remark : remarks(report)) {
+        if (!remark.is_warning) text += to_text(remark);
     }
+    text += "\n" + stage_line(report);
     return text;
 }
 

@@ -52,25 +52,28 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 void AngleMeasure::include(double angle, const Vec3& place) {
     const double off = std::abs(angle - 90);
-    if (corners == 0 || off > std::max(90 - least, greatest - 90)) worst_place = place;
-    ++corners;
-    within_5 += off <= 5;
-    within_10 += off <= 10;
-    least = std::min(least, angle);
-    greatest = std::max(greatest, angle);
+    AngleMeasure one;
+    one.corners = 1;
+    one.within_5 = off <= 5 ? 1 : 0;
+    one.within_10 = off <= 10 ? 1 : 0;
+    one.least = one.greatest = angle;
+    one.least_place = one.greatest_place = place;
+    include(one);
 }
 
 void AngleMeasure::include(const AngleMeasure& other) {
     if (other.corners == 0) return;
-    if (corners == 0 ||
-        std::max(90 - other.least, other.greatest - 90) > std::max(90 - least, greatest - 90)) {
-        worst_place = other.worst_place;
+    if (corners == 0 || other.least < least) {
+        least = other.least;
+        least_place = other.least_place;
+    }
+    if (corners == 0 || other.greatest > greatest) {
+        greatest = other.greatest;
+        greatest_place = other.greatest_place;
     }
     corners += other.corners;
     within_5 += other.within_5;
     within_10 += other.within_10;
-    least = std::min(least, other.least);
-    greatest = std::max(greatest, other.greatest);
 }
 
 AngleMeasure measure_angles(const PointField& points) {

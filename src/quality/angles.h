@@ -17,8 +17,13 @@ struct AngleMeasure {
     std::size_t within_10 = 0;
     double least = 90;
     double greatest = 90;
-    Vec3 worst_place;  ///< of the corner farthest from 90 degrees
+    Vec3 least_place;
+    Vec3 greatest_place;
 
+    /// Of the corner farthest from 90 degrees.
+    const Vec3& worst_place() const {
+        return 90 - least >= greatest - 90 ? least_place : greatest_place;
+    }
     void include(double angle, const Vec3& place);
     void include(const AngleMeasure& other);
 };

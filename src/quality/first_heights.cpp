@@ -10,16 +10,18 @@ namespace hexweave {
 
 namespace {
 
-HeightMeasure measure(const HeldSide& side, const std::vector<double>& ratios) {
+HeightMeasure measure(const HeldSide& side, const std::vector<HeightRatio>& ratios) {
     const double* const asked = side.asked.data();
     const auto [least, greatest] = std::minmax_element(asked, asked + side.asked.extent().nodes());
     HeightMeasure row;
     row.side = side.side;
     row.least_asked = *least;
     row.greatest_asked = *greatest;
-    row.least = ratios.front();
-    row.median = ratios[ratios.size() / 2];
-    row.greatest = ratios.back();
+    row.least = ratios.front().value;
+    row.least_place = ratios.front().place;
+    row.median = ratios[ratios.size() / 2].value;
+    row.greatest = ratios.back().value;
+    row.greatest_place = ratios.back().place;
     return row;
 }
 
@@ -27,10 +29,11 @@ HeightMeasure measure_held(const PointField& points, const HeldSide& held) {
     HeightMeasure row = measure(held, height_ratios(points, held));
     row.stopped = held.stopped;
     const WallFrame wall(points.extent(), held.side);
-    const std::vector<double> ends =
+    const std::vector<HeightRatio> ends =
         height_ratios(points, held, [&](int a, int b) { return wall.fixed(a, b); });
     row.ends_amiss = static_cast<std::size_t>(std::count_if(
-        ends.begin(), ends.end(), [](double r) { return HeightMeasure::is_amiss(r); }));
+        ends.begin(), ends.end(),
+        [](const HeightRatio& ratio) { return HeightMeasure::is_amiss(ratio.value); }));
     return row;
 }
 

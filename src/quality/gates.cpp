@@ -10,6 +10,12 @@ namespace hexweave {
 
 namespace {
 
+/// First heights at a side of a face or block.
+struct HeightRow {
+    const SolveMeasure* solve = nullptr;
+    const HeightMeasure* heights = nullptr;
+};
+
 /// What gates are judged by: the measures of a grid or of a part of it.
 struct Subject {
     std::string name;  ///< empty for the whole grid
@@ -17,7 +23,7 @@ struct Subject {
     std::vector<const InterfaceMeasure*> interfaces;
     std::vector<WallMeasure> walls;
     std::vector<const SpacingMeasure*> spacings;
-    std::vector<const SolveMeasure*> solves;
+    std::vector<HeightRow> heights;
 };
 
 /// The worst found so far.
@@ -70,36 +76,31 @@ void include_growth(const Subject& subject, Worst& worst) {
 
 void include_spacing_errors(const Subject& subject, Worst& worst) {
     for (const SpacingMeasure* s : subject.spacings) {
-        const auto include = [&](const std::optional<double>& asked, double got) {
-            if (asked) worst.include(std::abs(got / *asked - 1), "edge '" + s->edge + "'");
+        const auto include = [&](const std::optional<double>& asked, double got, const Vec3& at) {
+            if (asked) worst.include(std::abs(got / *asked - 1), "edge '" + s->edge + "'", at);
         };
-        include(s->asked_start, s->got_start);
-        include(s->asked_end, s->got_end);
+        include(s->asked_start, s->got_start, s->start_place);
+        include(s->asked_end, s->got_end, s->end_place);
     }
-    for (const SolveMeasure* s : subject.solves) {
-        for (const HeightMeasure& h : s->heights) {
-            const std::string where = (s->is_block ? "block '" : "face '") + s->name + "', " +
-                                      std::string(side_name(h.side));
-            worst.include(std::abs(h.least - 1), where);
-            worst.include(std::abs(h.greatest - 1), where);
-        }
+    for (const auto& [s, h] : subject.heights) {
+        const std::string where = (s->is_block ? "block '" : "face '") + s->name + "', " +
+                                  std::string(side_name(h->side));
+        worst.include(std::abs(h->least - 1), where, h->least_place);
+        worst.include(std::abs(h->greatest - 1), where, h->greatest_place);
     }
 }
 
-/// The angle of a zone that is worst for a gate. Only the angle farthest from 90 degrees is kept
-/// with its place.
+/// The angle of a zone that is worst for a gate.
 void include_angle(const ZoneMeasure& zone, GateMeasure measure, Worst& worst) {
     const AngleMeasure& angles = zone.angles;
     if (angles.corners == 0) return;
-    const double below = 90 - angles.least;
-    const double above = angles.greatest - 90;
-    const std::optional<Vec3> place = angles.worst_place;
     if (measure == GateMeasure::min_angle) {
-        worst.include(angles.least, zone_text(zone.name), below >= above ? place : std::nullopt);
+        worst.include(angles.least, zone_text(zone.name), angles.least_place);
     } else if (measure == GateMeasure::max_angle) {
-        worst.include(angles.greatest, zone_text(zone.name), above >= below ? place : std::nullopt);
+        worst.include(angles.greatest, zone_text(zone.name), angles.greatest_place);
     } else {
-        worst.include(std::max(below, above) / 90, zone_text(zone.name), place);
+        worst.include(std::max(90 - angles.least, angles.greatest - 90) / 90, zone_text(zone.name),
+                      angles.worst_place());
     }
 }
 
@@ -136,13 +137,17 @@ GateResult judge(const Gate& gate, const Subject& subject) {
     return worst.finish();
 }
 
+void add_heights(const SolveMeasure& solve, Subject& subject) {
+    for (const HeightMeasure& h : solve.heights) subject.heights.push_back({&solve, &h});
+}
+
 Subject whole_grid(const Report& report) {
     Subject subject;
     for (const ZoneMeasure& zone : report.zones) subject.zones.push_back(&zone);
     for (const InterfaceMeasure& i : report.interfaces) subject.interfaces.push_back(&i);
     subject.walls = report.walls;
     for (const SpacingMeasure& s : report.spacings) subject.spacings.push_back(&s);
-    for (const SolveMeasure& s : report.solves) subject.solves.push_back(&s);
+    for (const SolveMeasure& s : report.solves) add_heights(s, subject);
     return subject;
 }
 
@@ -150,15 +155,30 @@ Subject whole_grid(const Report& report) {
 Subject zone_of(const MultiblockGrid& grid, const Report& report, std::size_t zone) {
     Subject subject;
     subject.zones.push_back(&report.zones[zone]);
-    subject.walls = measure_walls(grid, static_cast<int>(zone));
+    subject.walls = measure_walls(
+        grid, [zone](const BoundaryPatch& patch) { return patch.zone == static_cast<int>(zone); });
     return subject;
 }
 
-const SolveMeasure* solve_of(const Report& report, const std::string& name, bool is_block) {
+void add_heights(const Report& report, const std::string& name, bool is_block, Subject& subject) {
     for (const SolveMeasure& s : report.solves) {
-        if (s.name == name && s.is_block == is_block) return &s;
+        if (s.name == name && s.is_block == is_block) add_heights(s, subject);
     }
-    return nullptr;
+}
+
+/// The first heights of blocks at the sides that a face is part of.
+void add_heights_of_blocks(const Topology& topology, std::size_t face, const Report& report,
+                           Subject& subject) {
+    for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+        const SolveMeasure& solve = report.solves[topology.faces.size() + b];
+        for (const HeightMeasure& h : solve.heights) {
+            const auto& faces = topology.blocks[b].sides[static_cast<std::size_t>(h.side)].faces;
+            const bool has_it = std::any_of(faces.begin(), faces.end(), [&](const FaceUse& use) {
+                return use.face == static_cast<int>(face);
+            });
+            if (has_it) subject.heights.push_back({&solve, &h});
+        }
+    }
 }
 
 /// The edges' spacings, by the place of the edge in the topology.
@@ -190,12 +210,15 @@ std::vector<GateResult> judge_gates(const Topology& topology, const std::vector<
         if (topology.is_3d()) {
             own = measure_zone({face.name, faces[f].points}, grid.physical_dimension);
             subject.zones.push_back(&own);
+            subject.walls = measure_walls(
+                grid, [&](const BoundaryPatch& patch) { return patch.name == face.name; });
+            add_heights_of_blocks(topology, f, report, subject);
         } else {
             subject = zone_of(grid, report, f);
         }
         subject.name = "face '" + face.name + "'";
         add_spacings(face, report, subject);
-        if (const SolveMeasure* s = solve_of(report, face.name, false)) subject.solves.push_back(s);
+        add_heights(report, face.name, false, subject);
         append(face.solve.gates, subject, results);
     }
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
@@ -208,7 +231,7 @@ std::vector<GateResult> judge_gates(const Topology& topology, const std::vector<
                 add_spacings(topology.faces[static_cast<std::size_t>(use.face)], report, subject);
             }
         }
-        if (const SolveMeasure* s = solve_of(report, block.name, true)) subject.solves.push_back(s);
+        add_heights(report, block.name, true, subject);
         append(block.solve.gates, subject, results);
     }
     return results;

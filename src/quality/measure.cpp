@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/periodic_image.h"
@@ -85,23 +86,51 @@ std::vector<SpacingMeasure> measure_spacings(const Topology& topology,
                    first_law_cell(edge, edges[e]),
                    last_law_cell(edge, edges[e]),
                    first_cell(edge, edges[e]),
-                   last_cell(edge, edges[e])};
+                   last_cell(edge, edges[e]),
+                   edges[e].points.front(),
+                   edges[e].points.back()};
     });
     return rows;
 }
 
-/// Which side of its zone a part of a boundary lies on: "imin of 'o'".
-std::string side_text(const IndexBox& box, const Zone& zone) {
+/// Which side of its zone a part of a boundary lies on.
+std::optional<Side> side_of(const IndexBox& box, const Zone& zone) {
     const Extent e = zone.points.extent();
     for (const Side side : all_sides) {
         const auto axis = static_cast<std::size_t>(axis_of(side));
         const int last = e[axis_of(side)] - 1;
         if (last == 0 || box.begin[axis] != box.end[axis]) continue;
-        if (box.begin[axis] == (is_max(side) ? last : 0)) {
-            return std::string(side_name(side)) + " of '" + zone.name + "'";
-        }
+        if (box.begin[axis] == (is_max(side) ? last : 0)) return side;
     }
-    return "'" + zone.name + "'";
+    return std::nullopt;
+}
+
+std::string side_text(const IndexBox& box, const Zone& zone) {
+    const std::optional<Side> side = side_of(box, zone);
+    return (side ? std::string(side_name(*side)) + " of " : "") + "'" + zone.name + "'";
+}
+
+/// The face of a planar topology whose side lies there, unless the sweep made it.
+const Face* face_at(const Topology& topology, const Zone& zone, const std::optional<Side>& side) {
+    if (topology.is_3d() || !side || axis_of(*side) == 2) return nullptr;
+    const auto found = std::find_if(topology.faces.begin(), topology.faces.end(),
+                                    [&](const Face& face) { return face.name == zone.name; });
+    return found == topology.faces.end() ? nullptr : &*found;
+}
+
+/// Whether `orthogonal` at both of its sides is left to be asked.
+bool may_be_straightened(const Topology& topology, const MultiblockGrid& grid,
+                         const Interface& interface) {
+    bool asked_at_both = true;
+    for (const auto& [zone, box] : {std::pair(interface.zone, interface.box),
+                                    std::pair(interface.donor, interface.donor_box)}) {
+        const Zone& own = grid.zones[static_cast<std::size_t>(zone)];
+        const std::optional<Side> side = side_of(box, own);
+        const Face* face = face_at(topology, own, side);
+        if (face == nullptr) return false;
+        asked_at_both &= face->orthogonal[static_cast<std::size_t>(*side)];
+    }
+    return !asked_at_both;
 }
 
 /// The interface without the nodes at its ends, where a line across it may turn a corner; none
@@ -162,6 +191,8 @@ Report measure(const Topology& topology, const std::vector<EdgeGrid>& edges,
     }
     for (const Interface& interface : grid.interfaces) {
         report.interfaces.push_back(measure_interface(grid, interface));
+        report.interfaces.back().may_be_straightened =
+            may_be_straightened(topology, grid, interface);
     }
     report.walls = measure_walls(grid);
     report.spacings = measure_spacings(topology, edges);

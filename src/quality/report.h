@@ -33,6 +33,8 @@ struct SpacingMeasure {
     double got_end = 0;
     double first = 0;  ///< of this grid
     double last = 0;
+    Vec3 start_place;
+    Vec3 end_place;
 };
 
 /// First heights at one side of a face or block over those asked there: at all of its nodes where
@@ -45,6 +47,8 @@ struct HeightMeasure {
     double least = 0;  ///< got over asked
     double median = 0;
     double greatest = 0;
+    Vec3 least_place;
+    Vec3 greatest_place;
     StoppedLines stopped{};      ///< where held
     std::size_t ends_amiss = 0;  ///< nodes at the ends of a held side, fixed, that are amiss
 
@@ -102,6 +106,8 @@ struct InterfaceMeasure {
     double bend = 0;
     Vec3 bend_place{};
     std::array<std::string, 2> sides{};  ///< "imin of 'o'": of its zone and of its donor
+    /// Both sides are of faces that were solved, and `orthogonal` is not asked at both.
+    bool may_be_straightened = false;
 };
 
 /// A vertex or an edge that was put onto surfaces: how far it was from them at most, and where.

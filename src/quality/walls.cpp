@@ -125,18 +125,20 @@ WallMeasure WallCollector::finish() {
     if (heights_.empty()) return measure_;
     std::sort(heights_.begin(), heights_.end());
     measure_.least_height = heights_.front();
-    measure_.median_height = heights_[heights_.size() / 2];
+    const std::size_t half = heights_.size() / 2;
+    measure_.median_height =
+        heights_.size() % 2 == 1 ? heights_[half] : (heights_[half - 1] + heights_[half]) / 2;
     measure_.greatest_height = heights_.back();
     return measure_;
 }
 
+using PatchFilter = std::function<bool(const BoundaryPatch&)>;
+
 WallMeasure measure_family(const MultiblockGrid& grid, std::size_t family,
-                           std::optional<int> zone = {}) {
+                           const PatchFilter& counts) {
     WallCollector collector(grid.families[family].name);
     for (const BoundaryPatch& patch : grid.patches) {
-        if (patch.family != static_cast<int>(family) || patch.zone != zone.value_or(patch.zone)) {
-            continue;
-        }
+        if (patch.family != static_cast<int>(family) || !counts(patch)) continue;
         collector.include(grid.zones[static_cast<std::size_t>(patch.zone)].points, patch.box);
     }
     return collector.finish();
@@ -148,11 +150,11 @@ bool is_wall(const Family& family) {
     return family.type.starts_with("BCWall");
 }
 
-std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, std::optional<int> zone) {
+std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, const PatchFilter& counts) {
     std::vector<WallMeasure> walls;
     for (std::size_t f = 0; f < grid.families.size(); ++f) {
         if (is_wall(grid.families[f])) {
-            walls.push_back(measure_family(grid, f, zone));
+            walls.push_back(measure_family(grid, f, counts));
         }
     }
     return walls;
@@ -161,7 +163,7 @@ std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, std::optional
 std::vector<WallMeasure> measure_boundaries(const MultiblockGrid& grid) {
     std::vector<WallMeasure> boundaries;
     for (std::size_t f = 0; f < grid.families.size(); ++f) {
-        boundaries.push_back(measure_family(grid, f));
+        boundaries.push_back(measure_family(grid, f, [](const BoundaryPatch&) { return true; }));
     }
     return boundaries;
 }

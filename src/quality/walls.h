@@ -2,7 +2,7 @@
 // The first cells at the walls: how upright they stand and how high they are.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,9 +32,10 @@ struct WallMeasure {
 /// Whether the type of a family is BCWall or begins so.
 bool is_wall(const Family& family);
 
-/// One measure for every family that is a wall; of one zone's patches alone
-/// where `zone` is given.
-std::vector<WallMeasure> measure_walls(const MultiblockGrid& grid, std::optional<int> zone = {});
+/// One measure for every family that is a wall, of its patches that count; of all by default.
+std::vector<WallMeasure> measure_walls(
+    const MultiblockGrid& grid,
+    const std::function<bool(const BoundaryPatch&)>& counts = [](const auto&) { return true; });
 /// One for every family.
 std::vector<WallMeasure> measure_boundaries(const MultiblockGrid& grid);
 

@@ -122,8 +122,9 @@ TEST_CASE("every shipped case gives a sound grid that other programs read") {
         if (!HEXWEAVE_HAS_CAD && (c.name == "iges_wing" || c.name == "onera_m6_cad")) continue;
         DYNAMIC_SECTION(c.name) {
             const Scratch scratch;
-            const Finished run = scratch.hexweave("run " + shipped(c.name + ".yaml") + " " +
-                                                  c.overrides + " --strict --json report.json");
+            const std::string config = shipped(c.name + ".yaml") + " " + c.overrides;
+            CHECK(scratch.hexweave("check " + config + " --strict").exit_code == 0);
+            const Finished run = scratch.hexweave("run " + config + " --json report.json");
             INFO(run.out << run.err);
             REQUIRE(run.exit_code == 0);
             REQUIRE(scratch.has(c.name + ".cgns"));

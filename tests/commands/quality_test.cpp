@@ -108,11 +108,17 @@ TEST_CASE("first heights between edges are judged against what those ask, at eve
                Contains("off those that edges ask at 1 side, the worst face o jmin: 0.25"));
     CHECK_THAT(plain.out, Contains("hint: `heights: {jmin: held}` in face 'o' holds them there"));
     CHECK_THAT(plain.out, Contains("gate MISSED: wall_spacing_error 0.7"));
-    CHECK_THAT(plain.out, Contains("warning: grid lines bend by up to 9"));
+    CHECK_THAT(plain.out, Contains("note: grid lines bend by up to 9"));
     CHECK_THAT(plain.out, Contains("hint: `orthogonal` at imin of 'o' and imax of 'o'"));
     const auto json = nlohmann::json::parse(scratch.read("plain.json"))["report"];
     CHECK(json["solves"][0]["heights"][0]["held"] == false);
     CHECK(json["interfaces"][0]["bend"] > 80);
+    REQUIRE(json["remarks"].size() == 2);
+    CHECK(json["remarks"][0]["severity"] == "note");
+    CHECK(json["remarks"][1]["hint"] ==
+          "`orthogonal` at imin of 'o' and imax of 'o' may straighten them");
+    // A missed gate has the node of the wall that is worst.
+    CHECK(json["gates"][0]["place"].size() == 3);
 
     scratch.write("straight.yaml",
                   ogrid(", orthogonal: [imin, imax], heights: {jmin: {height: 0.01}}"));
@@ -126,9 +132,74 @@ TEST_CASE("first heights between edges are judged against what those ask, at eve
     const Finished low = scratch.hexweave("run low.yaml");
     INFO(low.out << low.err);
     CHECK(low.exit_code == 1);
-    CHECK_THAT(low.out, Contains("warning: face o jmin: heights held are "));
-    CHECK_THAT(low.out, Contains("`growth` stops 39 lines"));
-    CHECK_THAT(low.out, Contains("what is fixed at its ends is off at 2 nodes"));
+    CHECK_THAT(low.err, Contains("warning: face o jmin: heights held are "));
+    CHECK_THAT(low.err, Contains("`growth` stops 39 lines"));
+    CHECK_THAT(low.err, Contains("what is fixed at its ends is off at 2 nodes"));
+    CHECK_THAT(low.err, Contains("hint: more cells off the side"));
+}
+
+TEST_CASE(
+    "what was asked of heights and not got is a warning: --strict, --quiet and JSON tell it") {
+    const Scratch scratch;
+    scratch.write("low.yaml",
+                  "hexweave: 1\n"
+                  "vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1]}\n"
+                  "edges: {ab: {from: a, to: b, cells: 8}, ad: {from: a, to: d, cells: 8}}\n"
+                  "faces: {f: {corners: [a, b, c, d], heights: {jmin: {height: 1e-4}}}}\n"
+                  "boundaries: {all: {type: BCWall, sides: [ab, ad, b-c, c-d]}}\n");
+    CHECK(scratch.hexweave("run low.yaml").exit_code == 0);
+    const Finished quiet = scratch.hexweave("run low.yaml --quiet");
+    CHECK(quiet.exit_code == 0);
+    CHECK_THAT(quiet.err, Contains("warning: face f jmin: heights held are "));
+    const Finished strict = scratch.hexweave("run low.yaml --strict --json low.json");
+    CHECK(strict.exit_code == 1);
+    const auto remarks = nlohmann::json::parse(scratch.read("low.json"))["report"]["remarks"];
+    REQUIRE(!remarks.empty());
+    CHECK(remarks[0]["severity"] == "warning");
+}
+
+TEST_CASE("gates of a wall face in a grid of blocks judge its wall, and all tell their place") {
+    const Scratch scratch;
+    scratch.write("box.yaml",
+                  "hexweave: 1\n"
+                  "vertices: {a: [0, 0, 0], b: [1, 0, 0], c: [1.3, 1, 0], d: [0.2, 1, 0],\n"
+                  "           e: [0, 0, 1], f: [1, 0, 1.2], g: [1, 1.1, 1], h: [0, 1, 1]}\n"
+                  "edges:\n"
+                  "  ab: {from: a, to: b, cells: 8}\n"
+                  "  ad: {from: a, to: d, cells: 8}\n"
+                  "  ae: {from: a, to: e, cells: 8, spacing: {start: 0.02}}\n"
+                  "faces:\n"
+                  "  floor: {corners: [a, b, c, d], require: {max_wall_angle: 45, min_angle: 20, "
+                  "max_angle: 160, wall_spacing_error: 0.5}}\n"
+                  "  lid: {corners: [e, f, g, h], require: {max_wall_angle: 45}}\n"
+                  "blocks: {box: {corners: [a, b, c, d, e, f, g, h]}}\n"
+                  "boundaries: {wall: {type: BCWall, sides: [floor]}}\n");
+    const Finished run = scratch.hexweave("run box.yaml --json box.json");
+    INFO(run.out << run.err);
+    CHECK(run.exit_code == 1);  // the lid is no wall
+    const auto gates = nlohmann::json::parse(scratch.read("box.json"))["report"]["gates"];
+    REQUIRE(gates.size() == 5);
+    for (const auto& gate : gates) {
+        INFO(gate.dump());
+        const bool of_lid = gate["subject"] == "face 'lid'";
+        CHECK(gate["met"] == !of_lid);
+        CHECK(gate["place"].is_null() == of_lid);
+    }
+}
+
+TEST_CASE("no hint asks of a sweep what faces alone have") {
+    const Scratch scratch;
+    scratch.write("turn.yaml",
+                  "hexweave: 1\n"
+                  "vertices: {a: [1, 0], b: [2, 0], c: [2, 1], d: [1, 1]}\n"
+                  "edges: {ab: {from: a, to: b, cells: 6}, ad: {from: a, to: d, cells: 6}}\n"
+                  "faces: {f: {corners: [a, b, c, d]}}\n"
+                  "boundaries: {all: {type: BCWall, sides: [ab, ad, b-c, c-d]}}\n"
+                  "revolve: {angle: 2 * pi, cells: 6, axis: [0, 1, 0]}\n");
+    const Finished turn = scratch.hexweave("run turn.yaml");
+    INFO(turn.out << turn.err);
+    CHECK_THAT(turn.out, Contains("note: grid lines bend by up to 60 degrees across"));
+    CHECK_THAT(turn.out, !Contains("may straighten"));
 }
 
 TEST_CASE("quality judges a grid of another's making and says so by its exit code") {

@@ -75,8 +75,9 @@ TEST_CASE("heights between two edges become those of the edges, and boundaries s
     CHECK(held.fade == Approx(0.2));
     CHECK(held.stopped.growth + held.stopped.fade + held.stopped.folds == 0);
     const double edge = distance(drifted(0, 1), drifted(0, 0));
-    CHECK(height_ratios(drifted, held).back() == Approx(2.5).epsilon(0.01));
-    for (const double ratio : height_ratios(points, held)) CHECK(ratio == Approx(1).epsilon(1e-9));
+    CHECK(height_ratios(drifted, held).back().value == Approx(2.5).epsilon(0.01));
+    for (const HeightRatio& ratio : height_ratios(points, held))
+        CHECK(ratio.value == Approx(1).epsilon(1e-9));
     CHECK(held.asked(16, 0) == Approx(edge).epsilon(1e-12));
     CHECK(same_boundary(points, drifted));
     CHECK(count_folded(points) == 0);
@@ -122,7 +123,7 @@ TEST_CASE("a given height is held, and from the fixed edges it is come to within
         CHECK(height < 1.5 * before);
         before = height;
     }
-    CHECK(height_ratios(points, held).front() == Approx(0.5).epsilon(0.01));
+    CHECK(height_ratios(points, held).front().value == Approx(0.5).epsilon(0.01));
 }
 
 TEST_CASE("a corner's heights are held at the wall and leave no dent in the lines far from it") {
@@ -143,8 +144,9 @@ TEST_CASE("a corner's heights are held at the wall and leave no dent in the line
     request.fade = 0.4;
     request.growth = 1.6;
     const HeldSide held = hold_heights(points, Side::jmin, request);
-    CHECK(height_ratios(natural, held).front() < 0.25);
-    for (const double ratio : height_ratios(points, held)) CHECK(ratio == Approx(1).epsilon(1e-6));
+    CHECK(height_ratios(natural, held).front().value < 0.25);
+    for (const HeightRatio& ratio : height_ratios(points, held))
+        CHECK(ratio.value == Approx(1).epsilon(1e-6));
     CHECK(count_folded(points) == 0);
     const auto dent = [](const PointField& grid, int j) {
         double greatest = 0;
@@ -209,7 +211,7 @@ TEST_CASE("what cannot be held without a fold is left, and shows in the ratios")
     const HeldSide held = hold_heights(points, Side::jmin, request);
     CHECK(count_folded(points) == 0);
     CHECK(same_boundary(points, before));
-    CHECK(height_ratios(points, held).front() < 0.1);
+    CHECK(height_ratios(points, held).front().value < 0.1);
 }
 
 TEST_CASE("growth is bounded by what is asked, or was there") {
@@ -229,7 +231,7 @@ TEST_CASE("growth is bounded by what is asked, or was there") {
     REQUIRE(line_growth() < 2.5);
     const HeldSide held = hold_heights(points, Side::jmin, request);
     CHECK(line_growth() <= 2.5 * (1 + 1e-9));
-    CHECK(height_ratios(points, held).front() > 1.5);
+    CHECK(height_ratios(points, held).front().value > 1.5);
     CHECK(held.stopped.growth == 31);
     request.height = 0.01;
     request.fade = first / 2;
@@ -245,8 +247,9 @@ TEST_CASE("a block's heights are held between its sides, which stay") {
     request.growth = 1.5;
     const HeldSide held = hold_heights(points, Side::jmin, request);
     CHECK(same_boundary(points, drifted));
-    CHECK(height_ratios(drifted, held).back() == Approx(2.5).epsilon(0.01));
-    for (const double ratio : height_ratios(points, held)) CHECK(ratio == Approx(1).epsilon(1e-9));
+    CHECK(height_ratios(drifted, held).back().value == Approx(2.5).epsilon(0.01));
+    for (const HeightRatio& ratio : height_ratios(points, held))
+        CHECK(ratio.value == Approx(1).epsilon(1e-9));
     CHECK(count_folded(points) == 0);
 }
 
@@ -288,9 +291,9 @@ TEST_CASE("faces with heights held share the points of their edges to the bit") 
     for (std::size_t n = 0; n < 2; ++n) {
         REQUIRE(faces[n].heights.size() == 1);
         CHECK(same_boundary(faces[n].points, plain[n].points));
-        CHECK(height_ratios(plain[n].points, faces[n].heights[0]).back() > 1.03);
-        for (const double ratio : height_ratios(faces[n].points, faces[n].heights[0])) {
-            CHECK(ratio == Approx(1).epsilon(1e-4));
+        CHECK(height_ratios(plain[n].points, faces[n].heights[0]).back().value > 1.03);
+        for (const HeightRatio& ratio : height_ratios(faces[n].points, faces[n].heights[0])) {
+            CHECK(ratio.value == Approx(1).epsilon(1e-4));
         }
     }
 }
@@ -316,12 +319,12 @@ TEST_CASE("a height held in a finer grid is that of the coarser one in it") {
         CHECK(coarse.asked(16, 0) == Approx(height ? *height : first).epsilon(1e-9));
         const double at_middle = distance(in_fine(16, 1), in_fine(16, 0));
         CHECK(at_middle == Approx(coarse.asked(16, 0)).epsilon(1e-9));
-        CHECK(height_ratios(in_fine, coarse)[16] == Approx(1).epsilon(1e-9));
+        CHECK(height_ratios(in_fine, coarse)[16].value == Approx(1).epsilon(1e-9));
         for (int j = 0; j <= 40; ++j) CHECK(distance(in_fine(16, j), plain(16, j)) < 2e-4);
         // One cell of the fine grid: what the law of its edges has there, of the given height.
         const HeldSide finest = every_nth(fine, held, 1);
         const double share = layered(1.0 / 160) / first;
         CHECK(finest.asked(64, 0) == Approx(share * (height ? *height : first)).epsilon(1e-9));
-        CHECK(height_ratios(fine, finest)[64] == Approx(1).epsilon(0.02));
+        CHECK(height_ratios(fine, finest)[64].value == Approx(1).epsilon(0.02));
     }
 }

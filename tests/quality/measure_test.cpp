@@ -47,7 +47,7 @@ TEST_CASE("the worst place of a zone lies in the zone, though all of it be perfe
                                            nk == 1 ? 2 : 3);
         CHECK(m.worst_scaled_jacobian == 1);
         CHECK(m.angles.greatest == 90);
-        for (const Vec3& place : {m.worst_place, m.angles.worst_place, m.growth[0].place}) {
+        for (const Vec3& place : {m.worst_place, m.angles.worst_place(), m.growth[0].place}) {
             CHECK(place.x >= 7);
             CHECK(place.y >= 8);
             CHECK(place.z >= 9);
@@ -57,7 +57,7 @@ TEST_CASE("the worst place of a zone lies in the zone, though all of it be perfe
         AngleMeasure all;
         all.include(AngleMeasure{});
         all.include(m.angles);
-        CHECK(all.worst_place == m.angles.worst_place);
+        CHECK(all.worst_place() == m.angles.worst_place());
     }
 }
 

@@ -58,7 +58,7 @@ function tellSummary() {
                                 + (data.run && data.run.gates.length ? ", every gate met." : ".")
                               : `Not sound: ${faults.join("; ")}.`;
   const worst = Math.min(...quality.zones.map(zone => zone.worst_scaled_jacobian));
-  const growth = Math.max(...quality.zones.flatMap(zone => zone.growth.map(along => along.ratio)),
+  const growth = Math.max(1, ...quality.zones.flatMap(zone => zone.growth.map(along => along.ratio)),
                           ...quality.interfaces.map(item => item.growth.ratio));
   const angles = quality.zones.map(zone => zone.angles);
   const facts = [
