@@ -12,20 +12,6 @@ using nlohmann::json;
 
 namespace {
 
-/// An outline that crosses itself twice, though it turns once: no grid of it is sound.
-const std::string bow_tie = R"(hexweave: 1
-units: m
-curves: {peak: {polyline: [[0, 0], [0.5, 1.5], [1, 0.3]]}}
-vertices: {a: [0, 0], b: [1, 0.3], c: [1, 1], d: [0, 1]}
-edges:
-  south: {from: a, to: b, along: peak, cells: 8}
-  west: {from: a, to: d, cells: 6}
-faces:
-  tie: {corners: [a, b, c, d]}
-boundaries:
-  rim: {type: BCWall, sides: [south, west, b-c, c-d]}
-)";
-
 /// A face with an outline of its own, in a block whose floor is bent.
 const std::string bent_box = R"(hexweave: 1
 parameters: {cycles: 200}
@@ -55,7 +41,7 @@ std::string seen_by_vtk(const Scratch& scratch, const std::string& file) {
 
 TEST_CASE("a face that stays folded is written alone, and named everywhere") {
     const Scratch scratch;
-    scratch.write("bow.yaml", bow_tie);
+    scratch.write("bow.yaml", folded_by_its_boundary);
     const Finished run = scratch.hexweave("run bow.yaml --json run.json");
     CHECK(run.exit_code == 1);
     CHECK(contains(run.out, "face 'tie' could not be untangled"));
@@ -73,7 +59,7 @@ TEST_CASE("a face that stays folded is written alone, and named everywhere") {
         return;
     }
     const auto folded = outcome["report"]["folded"].get<int>();
-    CHECK(folded > 10);
+    CHECK(folded > 0);
     CHECK(contains(seen, "9x7x1 face tie cells=48 folded=" + std::to_string(folded) + " "));
     // The worst cell of the report is the one that is marked first.
     const auto& zone = outcome["report"]["zones"][0];

@@ -55,4 +55,22 @@ inline const std::string small_annulus =
     " --set span_cells=6 --set ring_cells=20 --set front_cells=12 --set side_cells=20 "
     "--set rear_cells=14 --set gap_cells=8 --set inlet_cells=10 --set outlet_cells=16";
 
+/// A face whose north side comes to its last vertex from within, but whose last point before that
+/// vertex lies outside: the boundary alone folds a cell, and no grid is sound.
+inline const std::string folded_by_its_boundary = R"(hexweave: 1
+units: m
+curves:
+  hook: {polyline: [[0, 1], [0.6, 1], [1.3, 1.3], [0.98, 1.02], [1, 1]]}
+vertices: {a: [0, 0], b: [1, 0.3], c: [1, 1], d: [0, 1]}
+edges:
+  south: {from: a, to: b, cells: 8}
+  north: {from: d, to: c, along: hook, spacing: {positions: [0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 1]}}
+  west: {from: a, to: d, cells: 6}
+  east: {from: b, to: c}
+faces:
+  tie: {imin: west, imax: east, jmin: south, jmax: north}
+boundaries:
+  rim: {type: BCWall, sides: [south, west, east, north]}
+)";
+
 }  // namespace hexweave::testing
