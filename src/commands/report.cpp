@@ -16,6 +16,7 @@
 #include "io/grid_file.h"
 #include "io/html_report.h"
 #include "io/output_files.h"
+#include "io/run_of_grid.h"
 #include "quality/grid_quality.h"
 
 namespace hexweave {
@@ -31,6 +32,11 @@ struct ReportArguments {
     int threads = 0;
 };
 
+std::string missed_text(std::size_t gates) {
+    if (gates == 0) return {};
+    return fmt::format("; {} gate{} missed in the run", gates, gates == 1 ? "" : "s");
+}
+
 ExitCode write_report(const ReportArguments& arguments) {
     set_threads(choose_threads(arguments.threads));
     HtmlReportOptions options;
@@ -39,17 +45,21 @@ ExitCode write_report(const ReportArguments& arguments) {
     FileUses uses{files_read(arguments.grid, "the grid"), {{"-o", arguments.output}}};
     if (!arguments.run.empty()) uses.read.push_back({"--run", arguments.run});
     require_apart(uses);
-    if (!arguments.run.empty()) options.run_json = read_whole_file(arguments.run);
+    const std::string run = arguments.run.empty() ? "" : read_whole_file(arguments.run);
     OutputFiles files;
     const std::filesystem::path staged = files.stage(arguments.output);
     MultiblockGrid grid = read_grid(arguments.grid);
+    RunOfGrid told;
+    if (!arguments.run.empty()) told = run_of_grid(run, arguments.run, grid);
+    options.run = told.json;
     name_sides_where_nothing_is_named(grid);
     const GridQuality quality = measure_quality(grid, arguments.worst);
     const std::string page = html_report(grid, quality, options);
     files.write(staged, [&page](const auto& temporary) { write_text(page, temporary); });
     files.commit();
-    fmt::print("wrote {} ({:.1f} MB): {}\n", arguments.output,
-               static_cast<double>(page.size()) / 1e6, quality.sound() ? "sound" : "NOT SOUND");
+    fmt::print("wrote {} ({:.1f} MB): {}{}\n", arguments.output,
+               static_cast<double>(page.size()) / 1e6, quality.sound() ? "sound" : "NOT SOUND",
+               missed_text(told.missed_gates));
     return quality.sound() ? ExitCode::done : ExitCode::not_sound;
 }
 

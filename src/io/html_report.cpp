@@ -99,29 +99,12 @@ Json boundary_lines(const MultiblockGrid& grid) {
     return lines;
 }
 
-/// What the run told that made the grid.
-Json run_of(const HtmlReportOptions& options) {
-    if (options.run_json.empty()) return nullptr;
-    const Json run = Json::parse(options.run_json, nullptr, false);
-    if (!run.is_object() || !run.contains("hexweave_json") || run.value("command", "") != "run" ||
-        !run.contains("report")) {
-        throw UsageError("--run: the file is not what 'hexweave run --json' writes");
-    }
-    Json shown{{"config", run.value("config", "")},
-               {"parameters", run.value("parameters", Json::array())}};
-    const Json& report = run["report"];
-    for (const char* key : {"gates", "solves", "spacings"}) {
-        shown[key] = report.is_object() ? report.value(key, Json::array()) : Json::array();
-    }
-    return shown;
-}
-
 Json page_data(const MultiblockGrid& grid, const GridQuality& quality,
                const HtmlReportOptions& options) {
     Json data{{"quality", Json::parse(to_json(quality, options.grid_file))},
               {"planar", grid.cell_dimension == 2 && grid.physical_dimension == 2},
               {"provenance", grid.provenance},
-              {"run", run_of(options)}};
+              {"run", Json::parse(options.run)}};
     Json families = Json::array();
     for (std::size_t n = 0; n < grid.families.size(); ++n) {
         families.push_back(family_json(grid, n));

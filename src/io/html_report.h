@@ -16,12 +16,11 @@ namespace hexweave {
 struct HtmlReportOptions {
     std::string grid_file;           ///< as the page calls it
     std::vector<IndexPlane> planes;  ///< to have besides those chosen
-    std::string run_json;            ///< what `hexweave run --json` wrote; may be empty
+    std::string run = "null";        ///< the JSON of RunOfGrid
     SheetBudget budget;
 };
 
-/// The page. Throws UsageError for a plane that the grid does not have, and for a run's JSON that
-/// is none.
+/// The page. Throws UsageError for a plane that the grid does not have.
 std::string html_report(const MultiblockGrid& grid, const GridQuality& quality,
                         const HtmlReportOptions& options);
 

@@ -40,6 +40,43 @@ TEST_CASE("the report of a volume grid opens in a browser and shows a plane by a
     check_in_browser(scratch, "pipe.html --planes");
 }
 
+TEST_CASE("a report takes the JSON of the run that made its grid, and of no other") {
+    const Scratch scratch;
+    const std::string square =
+        "hexweave: 1\n"
+        "vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1]}\n"
+        "edges: {south: {from: a, to: b, cells: 4}, west: {from: a, to: d, cells: 2}}\n"
+        "faces: {square: {corners: [a, b, c, d]}}\n"
+        "levels: {names: [coarse, medium, fine]}\n"
+        "require: {max_wall_angle: 10, min_angle: 80}\n";  // there are no walls
+    scratch.write("square.yaml", square);
+    CHECK(scratch.hexweave("run square.yaml --level all --json all.json").exit_code == 1);
+    for (const char* level : {"coarse", "medium", "fine"}) {
+        const Finished report = scratch.hexweave("report square." + std::string(level) +
+                                                 ".cgns --run all.json -o a.html");
+        INFO(report.err);
+        CHECK(report.exit_code == 0);
+        CHECK_THAT(report.out, Contains("): sound; 1 gate missed in the run\n"));
+    }
+    const auto refused = [&](const std::string& run, const std::string& reason) {
+        const Finished report =
+            scratch.hexweave("report square.fine.cgns -o bad.html --run " + run);
+        CHECK(report.exit_code == 2);
+        CHECK(report.err == "hexweave: error: --run " + run + ": " + reason + "\n");
+        CHECK_FALSE(scratch.has("bad.html"));
+    };
+    CHECK(scratch.hexweave("run square.yaml --set none=1 --json failed.json").exit_code == 2);
+    refused("failed.json", "that run made no grid");
+    CHECK(scratch.hexweave("run square.yaml --json medium.json").exit_code == 1);
+    refused("medium.json",
+            "that run made another grid: zone 'square' has 5 x 3 x 1 nodes there, 9 x 5 x 1 nodes "
+            "in the grid");
+    scratch.write("other.yaml", square.substr(0, square.find("faces")) +
+                                    "faces: {other: {corners: [a, b, c, d]}}\n");
+    CHECK(scratch.hexweave("run other.yaml --json other.json").exit_code == 0);
+    refused("other.json", "that run made another grid: it has no zone 'square'");
+}
+
 TEST_CASE("the report of a planar grid opens in a browser") {
     const Scratch scratch;
     REQUIRE(scratch.hexweave("run --quiet '" + shipped("half_cylinder.yaml") + "' -o half.cgns")
