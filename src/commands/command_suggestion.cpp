@@ -14,7 +14,10 @@ namespace {
 std::string suggest(const std::string& who, const std::string& kind, const std::string& word,
                     const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), word) != known.end()) return {};
-    const std::string meant = nearest_name(word, known);
+    const auto longer = std::find_if(known.begin(), known.end(), [&word](const auto& name) {
+        return word.size() > 3 && name.starts_with(word);
+    });
+    const std::string meant = longer != known.end() ? *longer : nearest_name(word, known);
     if (meant.empty()) return {};
     return fmt::format("{} has no {} '{}'; did you mean '{}'?", who, kind, word, meant);
 }
@@ -29,6 +32,14 @@ std::vector<std::string> long_options(const CLI::App& command) {
 
 bool is_config(const std::string& name) {
     return name.ends_with(".yaml") || name.ends_with(".yml");
+}
+
+/// The option that takes one value and was given several; empty for any other fault.
+std::string given_twice(const CLI::ParseError& found) {
+    const std::string what = found.what();
+    const std::size_t at = what.find(": At Most 1 required");
+    const bool is_mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&found) != nullptr;
+    return is_mismatch && at != std::string::npos ? what.substr(0, at) : "";
 }
 
 const CLI::App* command_named(const CLI::App& app, const std::string& name) {
@@ -75,6 +86,8 @@ std::string refusal_of(const CLI::App& app, const std::vector<std::string>& argu
     if (dynamic_cast<const CLI::ExtrasError*>(&found) != nullptr) {
         // The parser's own words turn their order round.
         what = fmt::format("cannot tell what '{}' is for", fmt::join(app.remaining(true), " "));
+    } else if (const std::string twice = given_twice(found); !twice.empty()) {
+        what = twice + " is given twice";
     } else if (dynamic_cast<const CLI::RequiredError*>(&found) != nullptr && command == nullptr) {
         what = arguments.empty() ? "a command is missing, such as run, check or quality"
                                  : fmt::format("there is no command '{}'", arguments[0]);

@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -46,6 +48,17 @@ std::string named(std::string text, const std::string& name) {
     return text;
 }
 
+/// As it can be typed: in quotes where a shell would take it apart.
+std::string shell_word(const std::string& word) {
+    const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || std::strchr("_-./+,:@%", c) != nullptr;
+    });
+    if (plain) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 ExitCode init(const InitArguments& arguments) {
     std::filesystem::path path = arguments.name;
     if (path.extension() != ".yaml") path += ".yaml";
@@ -59,7 +72,8 @@ ExitCode init(const InitArguments& arguments) {
         write_bytes(named(std::string(starter.text), path.stem().string()), temporary);
     });
     files.commit();
-    fmt::print("wrote {0}: {1}\nnow:   hexweave run {0}\n", path.string(), starter.what);
+    fmt::print("wrote {}: {}\nnow:   hexweave run {}\n", path.string(), starter.what,
+               shell_word(path.string()));
     return ExitCode::done;
 }
 

@@ -222,6 +222,9 @@ TEST_CASE("a command or an option that is misspelled is told with the one that w
          "hexweave run has no option '--thraeds'; did you mean '--threads'?");
     told("check tiny.yaml --expalin=a",
          "hexweave check has no option '--expalin'; did you mean '--explain'?");
+    told("run tiny.yaml --out a.cgns",
+         "hexweave run has no option '--out'; did you mean '--output'?");
+    told("run tiny.yaml -j1 -j1", "--threads is given twice; see 'hexweave run --help'");
     told("--verison", "hexweave has no option '--verison'; did you mean '--version'?");
     told("tiny.yaml", "the command is missing: did you mean 'hexweave run tiny.yaml'?");
     told("", "a command is missing, such as run, check or quality; see 'hexweave --help'");

@@ -72,3 +72,12 @@ TEST_CASE("an unknown template is told with the one that was meant") {
           "'airfoil'?\n");
     CHECK(scratch.listing().empty());
 }
+
+TEST_CASE("the command that init prints can be typed as it stands") {
+    const Scratch scratch;
+    const Finished init = scratch.hexweave("init \"my wing's\" --template channel");
+    REQUIRE(init.exit_code == 0);
+    const std::string now = init.out.substr(init.out.find("now:") + 4);
+    CHECK(now == "   hexweave run 'my wing'\\''s.yaml'\n");
+    CHECK(scratch.hexweave("check" + now.substr(now.find(" 'my"))).exit_code == 0);
+}
