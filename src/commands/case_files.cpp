@@ -17,7 +17,7 @@ std::vector<GridOutput> outputs_named(const std::vector<std::string>& paths) {
     std::vector<GridOutput> outputs;
     for (const std::string& path : paths) {
         const auto output = output_by_name(path);
-        if (!output) throw UsageError(unknown_ending("write", path));
+        if (!output) throw UsageError(unknown_ending(path));
         outputs.push_back(*output);
     }
     return outputs;

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -16,6 +17,7 @@
 #include "io/cgns_pieces.h"
 #include "io/comparison_json.h"
 #include "io/comparison_text.h"
+#include "io/grid_file.h"
 
 namespace hexweave {
 namespace {
@@ -29,6 +31,17 @@ struct CompareOptions {
     int threads = 0;
     bool quiet = false;
 };
+
+/// For a config or a Plot3D file throws UsageError that says how to get a file to compare.
+void require_cgns(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    const bool is_named = format_of_ending(ending) || ending == ".yaml" || ending == ".yml";
+    if (!is_named || format_to_read(path) == GridFormat::cgns) return;
+    throw UsageError(
+        fmt::format("cannot compare '{}': it is no CGNS file; 'hexweave convert' makes "
+                    "one of a Plot3D file",
+                    path.string()));
+}
 
 ExitCode compare(const CompareOptions& options, ComparisonOutcome& outcome) {
     if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
@@ -68,6 +81,7 @@ GridComparison compare_files(const std::string& candidate, const std::string& go
                              const ComparisonOptions& options) {
     // Two pieces of each file are in memory: 48 MB.
     constexpr std::size_t piece_nodes = std::size_t{1} << 19;
+    for (const std::string& path : {candidate, golden}) require_cgns(path);
     const PointSource own = open_cgns_pieces(candidate, piece_nodes);
     const PointSource other = open_cgns_pieces(golden, piece_nodes);
     return compare_grids(own, other, options);

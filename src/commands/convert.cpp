@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/command.h"
 #include "io/grid_file.h"
@@ -37,7 +39,15 @@ GridOutput output_of(const ConvertArguments& arguments) {
         output->format = formats.at(arguments.to);
         output->path = arguments.output;
     }
-    if (!output) throw UsageError(unknown_ending("write", arguments.output));
+    if (!output) throw UsageError(unknown_ending(arguments.output));
+    if (output->format == GridFormat::vtk &&
+        !std::filesystem::path(arguments.output).has_extension()) {
+        throw UsageError(
+            fmt::format("cannot write '{0}': for VTK its name needs an ending, as in '{0}.vtm': a "
+                        "folder beside "
+                        "it has the name without",
+                        arguments.output));
+    }
     if (output->format != GridFormat::plot3d &&
         !(arguments.form.empty() && arguments.byte_order.empty())) {
         throw UsageError("--form and --byte-order are for Plot3D");
@@ -45,16 +55,33 @@ GridOutput output_of(const ConvertArguments& arguments) {
     if (arguments.form == "text") output->form = Plot3dForm::text;
     if (arguments.form == "unformatted") output->form = Plot3dForm::unformatted;
     if (arguments.form == "stream") output->form = Plot3dForm::stream;
+    if (output->form == Plot3dForm::text && !arguments.byte_order.empty()) {
+        throw UsageError("--byte-order is for numbers as bytes: '" + arguments.output +
+                         "' would hold them as text (--form)");
+    }
     if (arguments.byte_order == "big") output->byte_order = ByteOrder::big;
     return *output;
+}
+
+/// Points alone say nothing of what joins and bounds the blocks.
+void warn_of_missing_map(const std::vector<FileUse>& read) {
+    for (const FileUse& use : read) {
+        if (std::filesystem::exists(use.path)) continue;
+        fmt::print(stderr,
+                   "hexweave: warning: no map '{}' beside the grid: interfaces and boundaries are "
+                   "unknown\n",
+                   use.path.string());
+    }
 }
 
 ExitCode convert(const ConvertArguments& arguments) {
     const GridOutput output = output_of(arguments);
     std::optional<GridFormat> from;
     if (!arguments.from.empty()) from = formats.at(arguments.from);
-    require_apart({files_read(arguments.input, "the grid", from), files_written(output, "OUT")});
+    const std::vector<FileUse> read = files_read(arguments.input, "the grid", from);
+    require_apart({read, files_written(output, "OUT")});
     const MultiblockGrid grid = read_grid(arguments.input, from);
+    warn_of_missing_map(read);
     OutputFiles files;
     const ReservedOutput reserved = reserve(output, files);
     write_grid(grid, reserved, files);

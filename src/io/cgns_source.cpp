@@ -7,14 +7,25 @@
 #include <string>
 
 #include "core/errors.h"
+#include "io/grid_file.h"
 
 namespace hexweave {
+namespace {
+
+/// What is amiss with a file that libcgns does not take for one of its own.
+const char* why_no_cgns(const std::filesystem::path& path) {
+    if (!file_begins_as_cgns(path)) return "it is not a CGNS file";
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    return file >= 0 ? "it is an HDF5 file, but no CGNS file" : "it is damaged or cut short";
+}
+
+}  // namespace
 
 CgnsSource::CgnsSource(const std::filesystem::path& path, OtherParts parts)
     : path_(path), parts_(parts), file_(path, CG_MODE_READ) {
     if (!file_.is_open()) {
         int type = CG_FILE_NONE;
-        if (cg_is_cgns(path_.c_str(), &type) != CG_OK) cannot_read("it is not a CGNS file");
+        if (cg_is_cgns(path_.c_str(), &type) != CG_OK) cannot_read(why_no_cgns(path_));
         damaged();
     }
     errors_.listen();

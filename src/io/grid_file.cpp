@@ -21,23 +21,10 @@
 namespace hexweave {
 namespace {
 
-bool file_begins_as_cgns(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::array<char, 64> start{};
-    stream.read(start.data(), start.size());
-    return begins_as_cgns({start.data(), static_cast<std::size_t>(stream.gcount())});
-}
-
-GridFormat format_to_read(const std::filesystem::path& path) {
-    const std::string ending = path.extension().string();
-    const auto format = format_of_ending(ending);
-    if (format) return *format;
-    if (file_begins_as_cgns(path)) return GridFormat::cgns;
-    if (ending == ".yaml" || ending == ".yml") {
-        throw UsageError(fmt::format(
-            "'{0}' is a config, not a grid; 'hexweave run {0}' makes its grid", path.string()));
-    }
-    throw UsageError(unknown_ending("read", path.string()));
+std::string unknown_ending(const char* verb, const std::filesystem::path& path,
+                           const std::string& endings) {
+    return fmt::format("cannot {} '{}': its format is not known by its ending '{}' ({})", verb,
+                       path.string(), path.extension().string(), endings);
 }
 
 std::filesystem::path map_beside(std::filesystem::path path) {
@@ -114,14 +101,32 @@ void write_openfoam(const MultiblockGrid& grid, const ReservedOutput& reserved,
 
 }  // namespace
 
+bool file_begins_as_cgns(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::array<char, 64> start{};
+    stream.read(start.data(), start.size());
+    return begins_as_cgns({start.data(), static_cast<std::size_t>(stream.gcount())});
+}
+
+GridFormat format_to_read(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    const auto format = format_of_ending(ending);
+    if (format) return *format;
+    if (file_begins_as_cgns(path)) return GridFormat::cgns;
+    if (ending == ".yaml" || ending == ".yml") {
+        throw UsageError(fmt::format(
+            "'{0}' is a config, not a grid; 'hexweave run {0}' makes its grid", path.string()));
+    }
+    throw UsageError(unknown_ending("read", path, ".cgns; Plot3D: " + plot3d_endings()));
+}
+
 bool begins_as_cgns(std::string_view text) {
     return text.starts_with("\x89HDF\r\n") ||
            text.substr(0, 64).find("ADF Database") != std::string_view::npos;
 }
 
-std::string unknown_ending(const char* verb, const std::string& path) {
-    return fmt::format("cannot {} '{}': its format is not known by its ending '{}' ({})", verb,
-                       path, std::filesystem::path(path).extension().string(), known_endings());
+std::string unknown_ending(const std::string& path) {
+    return unknown_ending("write", path, known_endings());
 }
 
 std::optional<GridOutput> output_by_name(const std::string& path) {

@@ -23,9 +23,14 @@ MultiblockGrid read_grid(const std::filesystem::path& path,
 
 /// Whether this is the beginning of an HDF5 or ADF file, whatever it is called.
 bool begins_as_cgns(std::string_view text);
+bool file_begins_as_cgns(const std::filesystem::path& path);
 
-/// "cannot read 'x.txt': ...", with the endings that are known. `verb` is "read" or "write".
-std::string unknown_ending(const char* verb, const std::string& path);
+/// The format of a file that is to be read. Throws UsageError for a config, and where neither name
+/// nor contents tell.
+GridFormat format_to_read(const std::filesystem::path& path);
+
+/// "cannot write 'x.txt': ...", with the endings that are known.
+std::string unknown_ending(const std::string& path);
 
 /// What a path says about the format and, for Plot3D, the form; nothing for an unknown ending.
 std::optional<GridOutput> output_by_name(const std::string& path);

@@ -360,6 +360,8 @@ TEST_CASE("what cannot be compared is told in one message") {
     }
     check_refused(scratch, "none.cgns " + good, "no such file");
     check_refused(scratch, good + " .", "it is a folder");
+    check_refused(scratch, good + " grid.p3d", "'hexweave convert' makes one of a Plot3D file");
+    check_refused(scratch, "case.yaml " + good, "'hexweave run case.yaml' makes its grid");
     check_refused(scratch, good + " " + good + " --tolerance 0", "--tolerance");
     check_refused(scratch, good + " " + good + " --tolerance nan", "--tolerance");
     CHECK(scratch.hexweave("compare " + good + " " + good + " --match luck").exit_code == 2);

@@ -65,8 +65,9 @@ TEST_CASE("convert goes from CGNS to Plot3D and back to the same file") {
     scratch.write("square.yaml", square);
     REQUIRE(scratch.hexweave("run --quiet square.yaml").exit_code == 0);
     for (const char* form : {"text", "unformatted", "stream"}) {
-        const Finished there = scratch.hexweave(
-            "convert square.cgns s.xyz --byte-order big --form " + std::string(form));
+        const Finished there =
+            scratch.hexweave("convert square.cgns s.xyz --form " + std::string(form) +
+                             (form == std::string("text") ? "" : " --byte-order big"));
         INFO(there.err);
         CHECK(there.exit_code == 0);
         CHECK(there.out == "wrote s.xyz (2 zones, 18 cells, 1 interfaces, 6 boundary patches)\n");
@@ -94,6 +95,17 @@ TEST_CASE("convert says what it cannot do, and leaves nothing behind") {
     };
     refused("square.cgns grid.txt", "cannot write 'grid.txt': its format is not known");
     refused("square.cgns grid.vtm --form text", "are for Plot3D");
+    refused("square.cgns grid.xyz --form text --byte-order big",
+            "'grid.xyz' would hold them as text");
+    refused("square.cgns grid.p3d --byte-order little", "'grid.p3d' would hold them as text");
+    refused("square.cgns grid --to vtk",
+            "cannot write 'grid': for VTK its name needs an ending, as in 'grid.vtm'");
+    refused("grid.vtm grid.cgns",
+            "cannot read 'grid.vtm': hexweave writes this format and reads CGNS and Plot3D");
+    refused("grid.json grid.cgns", ".xyz, .x, .g, .grd, .ufmt)");
+    scratch.write("cut.cgns", scratch.read("square.cgns").substr(0, 3000));
+    refused("cut.cgns grid.xyz", "cannot read 'cut.cgns': it is damaged or cut short");
+    CHECK(scratch.shell("rm cut.cgns").exit_code == 0);
     refused("square.cgns", "OUT is required");
     refused("missing.cgns grid.xyz", "cannot read 'missing.cgns': no such file");
     refused("text.cgns grid.xyz", "not a CGNS file");
@@ -107,4 +119,14 @@ TEST_CASE("convert says what it cannot do, and leaves nothing behind") {
     refused("surface.p3d case --to openfoam", "a surface in space");
     CHECK(scratch.shell("rm surface.p3d").exit_code == 0);
     CHECK(scratch.listing() == before);
+}
+
+TEST_CASE("a Plot3D file without its map is converted with a warning") {
+    const Scratch scratch;
+    scratch.write("lonely.p2d", "1\n3 2\n0 1 2 0 1 2\n0 0 0 1 1 1\n");
+    const Finished convert = scratch.hexweave("convert lonely.p2d lonely.cgns");
+    CHECK(convert.exit_code == 0);
+    CHECK(convert.err ==
+          "hexweave: warning: no map 'lonely.nmf' beside the grid: interfaces and boundaries are "
+          "unknown\n");
 }
