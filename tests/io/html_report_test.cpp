@@ -12,6 +12,7 @@
 #include "io/html_report.h"
 #include "io/report_graph.h"
 #include "io/report_sheets.h"
+#include "io/run_of_grid.h"
 
 using namespace hexweave;
 using Catch::Matchers::Contains;
@@ -144,7 +145,8 @@ TEST_CASE("names and titles cannot become a part of the page's code") {
     grid.title = "</script><script>alert(1)</script> & \"quoted\"";
     grid.zones[0].name = "<img src=x>";
     grid.families[0].name = "</title><b>";
-    const std::string page = html_report(grid, measure_quality(grid), {"<grid>.cgns", {}, "", {}});
+    const std::string page =
+        html_report(grid, measure_quality(grid), {"<grid>.cgns", {}, "null", {}});
     CHECK(page.find("alert(1)</script>") == std::string::npos);
     CHECK(page.find("<img src=x>") == std::string::npos);
     CHECK(page.find("</title><b>") == std::string::npos);
@@ -154,8 +156,7 @@ TEST_CASE("names and titles cannot become a part of the page's code") {
 
 TEST_CASE("a file that no run wrote is refused as one") {
     const MultiblockGrid grid = one_box({3, 3, 3});
-    const GridQuality quality = measure_quality(grid);
     for (const char* text : {"[]", "{", "{\"hexweave_json\": 1, \"command\": \"compare\"}"}) {
-        CHECK_THROWS_AS(html_report(grid, quality, {"g", {}, text, {}}), UsageError);
+        CHECK_THROWS_AS(run_of_grid(text, "run.json", grid), UsageError);
     }
 }
