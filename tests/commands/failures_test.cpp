@@ -13,17 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string tiny = R"(hexweave: 1
-vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1]}
-edges:
-  south: {from: a, to: b, cells: 4}
-  west: {from: a, to: d, cells: 3}
-faces:
-  square: {corners: [a, b, c, d]}
-boundaries:
-  rim: {type: BCWall, sides: [south, west, b-c, c-d]}
-)";
-
 /// Whether every line of `part` stands in `text`, in the same order.
 bool contains_lines(const std::string& text, const std::string& part) {
     std::istringstream lines(part);

@@ -55,6 +55,18 @@ inline const std::string small_annulus =
     " --set span_cells=6 --set ring_cells=20 --set front_cells=12 --set side_cells=20 "
     "--set rear_cells=14 --set gap_cells=8 --set inlet_cells=10 --set outlet_cells=16";
 
+/// A square of 4 x 3 cells.
+inline const std::string tiny = R"(hexweave: 1
+vertices: {a: [0, 0], b: [1, 0], c: [1, 1], d: [0, 1]}
+edges:
+  south: {from: a, to: b, cells: 4}
+  west: {from: a, to: d, cells: 3}
+faces:
+  square: {corners: [a, b, c, d]}
+boundaries:
+  rim: {type: BCWall, sides: [south, west, b-c, c-d]}
+)";
+
 /// A face whose north side comes to its last vertex from within, but whose last point before that
 /// vertex lies outside: the boundary alone folds a cell, and no grid is sound.
 inline const std::string folded_by_its_boundary = R"(hexweave: 1
