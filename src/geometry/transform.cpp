@@ -47,7 +47,6 @@ Affine compose(const Affine& first, const Affine& second) {
 }
 
 bool is_identity(const Affine& map) {
-    const Affine identity;
     return map.rows == identity.rows && map.offset == identity.offset;
 }
 
