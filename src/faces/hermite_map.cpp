@@ -8,22 +8,22 @@
 
 namespace hexweave {
 
-double Crossing::far_share(double f) const {
+double LineEnds::far_share(double f) const {
     if (upright_at_start && upright_at_end) return (3 - 2 * f) * (f * f);
     if (upright_at_start) return f * f;
     if (upright_at_end) return (2 - f) * f;
     return f;
 }
 
-double Crossing::slope(double f) const {
+double LineEnds::slope(double f) const {
     if (upright_at_start && upright_at_end) return 6 * (1 - f) * f;
     if (upright_at_start) return 2 * f;
     if (upright_at_end) return 2 * (1 - f);
     return 1;
 }
 
-SquarePoint curved_line_point(double s_jmin, double s_jmax, const Crossing& lines_of_i,
-                              double t_imin, double t_imax, const Crossing& lines_of_j) {
+SquarePoint curved_line_point(double s_jmin, double s_jmax, const LineEnds& lines_of_i,
+                              double t_imin, double t_imax, const LineEnds& lines_of_j) {
     constexpr int most_steps = 100;
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const auto t_at = [&](double s) { return between(t_imin, t_imax, lines_of_j.far_share(s)); };
@@ -50,8 +50,8 @@ ParameterField hermite_map(const EdgeFunctions& edges, const std::array<bool, 4>
     const auto& [t_imin, t_imax, s_jmin, s_jmax] = edges;
     HEXWEAVE_ASSERT(t_imin.size() == t_imax.size() && s_jmin.size() == s_jmax.size());
     const Extent extent{static_cast<int>(s_jmin.size()), static_cast<int>(t_imin.size()), 1};
-    const Crossing lines_of_i{orthogonal[2], orthogonal[3]};
-    const Crossing lines_of_j{orthogonal[0], orthogonal[1]};
+    const LineEnds lines_of_i{orthogonal[2], orthogonal[3]};
+    const LineEnds lines_of_j{orthogonal[0], orthogonal[1]};
     ParameterField parameters{Field(extent), Field(extent), {}};
     for (int j = 0; j < extent.nj; ++j) {
         const auto row = static_cast<std::size_t>(j);

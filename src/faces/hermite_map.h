@@ -19,7 +19,7 @@ using EdgeFunctions = std::array<std::vector<double>, 4>;
 
 /// How a family of grid lines crosses the square: at right angles to the side it leaves, to the
 /// side it reaches, to both or to neither.
-struct Crossing {
+struct LineEnds {
     bool upright_at_start = false;
     bool upright_at_end = false;
 
@@ -35,8 +35,8 @@ struct Crossing {
 /// bracket, so it never fails and never leaves the square. With the arguments of a side (both of
 /// one kind 0, or 1) it returns the other's value to the bit.
 /// [Spekreijse & Boerstoel 1996, eqs. (47)-(49)]
-SquarePoint curved_line_point(double s_jmin, double s_jmax, const Crossing& lines_of_i,
-                              double t_imin, double t_imax, const Crossing& lines_of_j);
+SquarePoint curved_line_point(double s_jmin, double s_jmax, const LineEnds& lines_of_i,
+                              double t_imin, double t_imax, const LineEnds& lines_of_j);
 
 /// The parameters (s, t) of every node: grid lines meet the sides marked in `orthogonal` (imin,
 /// imax, jmin, jmax) at right angles in the unit square; u is left empty.

@@ -42,7 +42,7 @@ std::string long_way(const Network& network, int edge) {
                        through ? "through" : "along");
 }
 
-std::string edge_hint(const Network& network, const Crossing& crossing) {
+std::string edge_hint(const Network& network, const EdgeCrossing& crossing) {
     for (const int edge : {crossing.first, crossing.second}) {
         if (takes_long_way(network, edge)) return long_way(network, edge);
     }
@@ -53,7 +53,7 @@ std::string edge_hint(const Network& network, const Crossing& crossing) {
 
 }  // namespace
 
-void tell_crossing(CrossingFaults& faults, const Face& face, const Crossing& crossing,
+void tell_crossing(CrossingFaults& faults, const Face& face, const EdgeCrossing& crossing,
                    const std::string& order) {
     if (!faults.told.insert({crossing.first, crossing.second}).second) return;
     const Network& network = faults.network;

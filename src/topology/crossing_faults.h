@@ -22,7 +22,7 @@ struct CrossingFaults {
 
 /// Reports that edges of a face cross. `order`: what to write where it is their order that is at
 /// fault; empty where it is not.
-void tell_crossing(CrossingFaults& faults, const Face& face, const Crossing& crossing,
+void tell_crossing(CrossingFaults& faults, const Face& face, const EdgeCrossing& crossing,
                    const std::string& order);
 
 /// What to look at where corners are listed in order and yet lead the wrong way round: of these

@@ -201,7 +201,7 @@ bool is_at_an_end(const Vec3& place, const Edge& first, const Edge& second) {
 
 }  // namespace
 
-std::optional<Crossing> find_crossing(const FrameSides& sides, const EdgeLookup& edge) {
+std::optional<EdgeCrossing> find_crossing(const FrameSides& sides, const EdgeLookup& edge) {
     const std::vector<double> fractions = graded_fractions();
     std::map<int, std::vector<Vec3>> points;
     for (const auto& side : sides) {
@@ -220,7 +220,7 @@ std::optional<Crossing> find_crossing(const FrameSides& sides, const EdgeLookup&
         const Vec3 place = place_of(*found, edge);
         const auto [first, second] = std::minmax(found->first.edge, found->second.edge);
         if (is_at_an_end(place, edge(first), edge(second))) continue;
-        return Crossing{first, second, place};
+        return EdgeCrossing{first, second, place};
     }
     return std::nullopt;
 }

@@ -11,7 +11,7 @@
 namespace hexweave {
 
 /// Two edges that cross, by their indices, and where; the same one twice where it crosses itself.
-struct Crossing {
+struct EdgeCrossing {
     int first = 0;
     int second = 0;
     Vec3 place;
@@ -22,6 +22,6 @@ struct Crossing {
 /// that touch or run along each other do not cross; nor do those that meet at less than a
 /// thousandth of a radian, which round-off may do. What happens on less than a fiftieth of an edge,
 /// far from its ends, is missed.
-std::optional<Crossing> find_crossing(const FrameSides& sides, const EdgeLookup& edge);
+std::optional<EdgeCrossing> find_crossing(const FrameSides& sides, const EdgeLookup& edge);
 
 }  // namespace hexweave

@@ -185,7 +185,7 @@ double size_of(const Network& network, const Block& block) {
 }
 
 /// Faces by their index, with two of their edges that cross, where they do.
-using FaceCrossings = std::vector<std::optional<Crossing>>;
+using FaceCrossings = std::vector<std::optional<EdgeCrossing>>;
 
 FaceCrossings crossings_of(const Topology& topology) {
     FaceCrossings crossings;
@@ -205,7 +205,7 @@ std::optional<std::size_t> crossed_face(const Block& block, const FaceCrossings&
     return std::nullopt;
 }
 
-bool are_straight(const Network& network, const Crossing& crossing) {
+bool are_straight(const Network& network, const EdgeCrossing& crossing) {
     constexpr double round_off = 1e-9;
     const auto straight = [&](const Edge& edge) {
         return edge.length <= (1 + round_off) * distance(position(network.topology, edge.start),
@@ -226,7 +226,7 @@ bool check_block(CrossingFaults& faults, std::size_t index, const FaceCrossings&
     const double volume = signed_volume(topology, block);
     const std::optional<std::size_t> crossed = crossed_face(block, crossings);
     if (crossed && (volume > least || order.empty())) {
-        const Crossing& crossing = *crossings[*crossed];
+        const EdgeCrossing& crossing = *crossings[*crossed];
         tell_crossing(faults, topology.faces[*crossed], crossing,
                       are_straight(network, crossing) ? order : std::string());
         return false;
@@ -245,7 +245,7 @@ bool check_block(CrossingFaults& faults, std::size_t index, const FaceCrossings&
 
 /// Tells a face of a grid of faces that cannot hold a grid.
 bool check_face(CrossingFaults& faults, std::size_t index,
-                const std::optional<Crossing>& crossing) {
+                const std::optional<EdgeCrossing>& crossing) {
     const Topology& topology = faults.network.topology;
     if (topology.planar) return check_planar_face(faults, index, crossing);
     if (crossing) tell_crossing(faults, topology.faces[index], *crossing, "");

@@ -104,7 +104,7 @@ std::string order_that_uncrosses(const Topology& topology, const Face& face,
 }  // namespace
 
 bool check_planar_face(CrossingFaults& faults, std::size_t index,
-                       const std::optional<Crossing>& crossing) {
+                       const std::optional<EdgeCrossing>& crossing) {
     const Network& network = faults.network;
     Diagnostics& diagnostics = faults.diagnostics;
     const Topology& topology = network.topology;

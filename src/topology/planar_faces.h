@@ -14,6 +14,6 @@ namespace hexweave {
 /// Reports a face of a planar grid whose sides cross or run round it in opposite senses, that
 /// encloses nothing, or that is left-handed. False where no grid can lie between its sides.
 bool check_planar_face(CrossingFaults& faults, std::size_t index,
-                       const std::optional<Crossing>& crossing);
+                       const std::optional<EdgeCrossing>& crossing);
 
 }  // namespace hexweave

@@ -29,20 +29,20 @@ double off_axis(Vec3 p, const RotationEntry& turn) {
 }
 
 /// Moves what is on the axis exactly there; tells how far the grid reaches to either side.
-Reach collapse_at_axis(Network& network, const RotationEntry& turn) {
+AxisReach collapse_at_axis(Network& network, const RotationEntry& turn) {
     constexpr int intervals = 32;
     Topology& topology = network.topology;
     const double near = near_to * topology.size;
     const int axis = turn.axis.x != 0 ? 1 : 0;
     const double value = axis == 1 ? turn.center.y : turn.center.x;
-    Reach all;
+    AxisReach all;
     for (Vertex& vertex : topology.vertices) {
         const double off = off_axis(vertex.position, turn);
         include(all, off);
         if (std::abs(off) <= near) radial(vertex.position, turn) = value;
     }
     for (Edge& edge : topology.edges) {
-        Reach own;
+        AxisReach own;
         for (const Vec3& p : sample_edge(edge, intervals)) include(own, off_axis(p, turn));
         include(all, own.low);
         include(all, own.high);
@@ -57,7 +57,7 @@ Reach collapse_at_axis(Network& network, const RotationEntry& turn) {
 
 Sweep revolution(Network& network, const SweepEntry& entry, const RotationEntry& turn,
                  Diagnostics& diagnostics) {
-    const Reach reach = collapse_at_axis(network, turn);
+    const AxisReach reach = collapse_at_axis(network, turn);
     const double near = near_to * network.topology.size;
     if (reach.low < -near && reach.high > near) {
         diagnostics.error(entry.place, "the grid lies on both sides of the axis of 'revolve'",

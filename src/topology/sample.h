@@ -29,12 +29,12 @@ struct Box {
 Box box_around(const std::vector<Vec3>& points);
 
 /// How far a grid reaches to either side of an axis or a plane.
-struct Reach {
+struct AxisReach {
     double low = 0;
     double high = 0;
 };
 
-inline void include(Reach& reach, double off) {
+inline void include(AxisReach& reach, double off) {
     reach.low = std::min(reach.low, off);
     reach.high = std::max(reach.high, off);
 }

@@ -175,7 +175,7 @@ namespace {
 /// Whether the whole grid is on one side of a plane that is not its own.
 bool lies_beside(const Topology& topology, const AxisPlane& plane) {
     constexpr int intervals = 32;
-    Reach reach;
+    AxisReach reach;
     const auto enter = [&](Vec3 p) { include(reach, coordinate(p, plane.axis) - plane.value); };
     for (const Vertex& v : topology.vertices) enter(v.position);
     for (const Edge& e : topology.edges) {

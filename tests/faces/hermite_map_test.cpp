@@ -100,8 +100,8 @@ TEST_CASE("lines of any monotone edge functions meet inside the square, on both 
     double worst = 0;
     for (int n = 0; n < 200000; ++n) {
         const std::array<bool, 4> sides = sides_of(n % 16);
-        const Crossing lines_of_i{sides[2], sides[3]};
-        const Crossing lines_of_j{sides[0], sides[1]};
+        const LineEnds lines_of_i{sides[2], sides[3]};
+        const LineEnds lines_of_j{sides[0], sides[1]};
         const double s0 = uniform(random), s1 = uniform(random);
         const double t0 = uniform(random), t1 = uniform(random);
         const SquarePoint p = curved_line_point(s0, s1, lines_of_i, t0, t1, lines_of_j);
@@ -115,7 +115,7 @@ TEST_CASE("lines of any monotone edge functions meet inside the square, on both 
 TEST_CASE("lines leave the sides where they are to be orthogonal upright, and only those") {
     constexpr double step = 1e-4;
     for (int bits = 0; bits < 4; ++bits) {
-        const Crossing crossing{(bits & 1) != 0, (bits & 2) != 0};
+        const LineEnds crossing{(bits & 1) != 0, (bits & 2) != 0};
         CHECK(crossing.far_share(0) == 0);
         CHECK(crossing.far_share(1) == 1);
         const double at_start = crossing.far_share(step) / step;

@@ -117,3 +117,25 @@ TEST_CASE("main stays under a hundred lines") {
     CHECK(lines > 10);
     CHECK(lines < 100);
 }
+
+// One namespace holds them all: two types of one name in it are one to the linker, which takes the
+// functions of either for both, whatever they hold.
+TEST_CASE("no two headers define a type of the same name") {
+    const fs::path src = fs::path(HEXWEAVE_SOURCE_DIR) / "src";
+    const std::regex pattern(R"(^(?:struct|class|enum class)\s+(\w+)\s*(?::[^:;]*)?\{)");
+    std::map<std::string, std::string> defined;
+    for (const auto& entry : fs::recursive_directory_iterator(src)) {
+        if (entry.path().extension() != ".h") continue;
+        const std::string file = fs::relative(entry.path(), src).string();
+        std::ifstream stream(entry.path());
+        std::string line;
+        while (std::getline(stream, line)) {
+            std::smatch match;
+            if (!std::regex_search(line, match, pattern)) continue;
+            const auto [first, is_new] = defined.emplace(match[1], file);
+            INFO(match[1] << " in " << first->second << " and " << file);
+            CHECK(is_new);
+        }
+    }
+    CHECK(defined.size() > 100);
+}
