@@ -191,6 +191,7 @@ HeldSide every_nth(const PointField& points, const HeldSide& held, int stride) {
 std::vector<HeldSide> every_nth(const PointField& points, const std::vector<HeldSide>& held,
                                 int stride) {
     std::vector<HeldSide> sides;
+    sides.reserve(held.size());
     for (const HeldSide& side : held) sides.push_back(every_nth(points, side, stride));
     return sides;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/text_parts.h"
 
@@ -119,7 +120,7 @@ std::string histogram_text(const Histogram& h) {
     std::string text = "\n" + h.measure + "\n";
     for (std::size_t bin = 0; bin < h.counts.size(); ++bin) {
         const double share = static_cast<double>(h.counts[bin]) / static_cast<double>(total);
-        std::string bar(static_cast<std::size_t>(share * full_bar + 0.5), '#');
+        std::string bar(static_cast<std::size_t>(std::lround(share * full_bar)), '#');
         if (bar.empty() && h.counts[bin] > 0) bar = ".";
         text += fmt::format("{:>14} {:>11} {:>6.2f} % {}", limit_text(h, bin), h.counts[bin],
                             100 * share, bar);

@@ -83,6 +83,7 @@ std::vector<HeightMeasure> first_heights(const AskingWalls* walls, std::size_t z
                                          const PointField& points,
                                          const std::vector<HeldSide>& held) {
     std::vector<HeightMeasure> rows;
+    rows.reserve(held.size());
     for (const HeldSide& side : held) rows.push_back(measure_held(points, side));
     if (walls == nullptr) return rows;
     for (const Side side : all_sides) {

@@ -86,7 +86,7 @@ std::string NameTable::hint_for(const Name& name) const {
         return fmt::format("{} is {}; the name of {} {} is wanted here", quoted(unknown),
                            other->second, kind_ == "edge" ? "an" : "a", kind_);
     }
-    const std::string made_where = fmt::format(
+    std::string made_where = fmt::format(
         "a name of corners is made only where a face or block given by its 'corners' "
         "needs it; else draw it under '{}s'",
         kind_);

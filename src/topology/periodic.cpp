@@ -125,6 +125,7 @@ bool report_wrong_map(Pairing& pairing, const PeriodicEntry& entry,
                       const SideMatch& miss) {
     const auto indices = [](const std::vector<NamedSide>& sides) {
         std::vector<int> all;
+        all.reserve(sides.size());
         for (const NamedSide& side : sides) all.push_back(side.side);
         return all;
     };
@@ -175,6 +176,7 @@ void pair_sides(Pairing& pairing, const PeriodicEntry& entry, const std::vector<
     const PeriodicMap map = periodic_map(interface.periodicity);
     SideMatcher matcher(pairing.network, map);
     std::vector<std::vector<SideMatch>> ways;
+    ways.reserve(from.size());
     for (const NamedSide& side : from) ways.push_back(all_ways(matcher, side.side, to));
     const auto miss = std::find_if(ways.begin(), ways.end(), [&](const auto& of_side) {
         return !pairing.is_near(of_side.front()) && of_side.front().divided_alike;

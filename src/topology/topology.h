@@ -157,7 +157,8 @@ struct BlockSide {
 
     int rows() const { return static_cast<int>(faces.size()) / columns; }
     const FaceUse& at(int column, int row) const {
-        return faces[static_cast<std::size_t>(column + row * columns)];
+        const auto index = [](int n) { return static_cast<std::size_t>(n); };
+        return faces[index(column) + index(row) * index(columns)];
     }
 };
 
