@@ -17,6 +17,7 @@
 #include "io/html_report.h"
 #include "io/output_files.h"
 #include "io/run_of_grid.h"
+#include "io/text_parts.h"
 #include "quality/grid_quality.h"
 
 namespace hexweave {
@@ -33,8 +34,7 @@ struct ReportArguments {
 };
 
 std::string missed_text(std::size_t gates) {
-    if (gates == 0) return {};
-    return fmt::format("; {} gate{} missed in the run", gates, gates == 1 ? "" : "s");
+    return gates == 0 ? "" : "; " + counted(gates, "gate") + " missed in the run";
 }
 
 ExitCode write_report(const ReportArguments& arguments) {

@@ -20,14 +20,6 @@ std::string nodes_text(const Extent& extent, int axes) {
     return text;
 }
 
-std::string node_text(const Node& node, int axes) {
-    std::string text = fmt::format("({}", node[0] + 1);
-    for (int axis = 1; axis < axes; ++axis) {
-        text += fmt::format(", {}", node[static_cast<std::size_t>(axis)] + 1);
-    }
-    return text + ")";
-}
-
 std::string size_text(double size) {
     return std::isinf(size) ? "infinite" : size == 0 ? "0" : fmt::format("{:.3g}", size);
 }

@@ -12,9 +12,7 @@
 namespace hexweave {
 
 std::string worst_cell_text(const ZoneMeasure& z) {
-    if (z.extent.nk == 1) return fmt::format("({}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1);
-    return fmt::format("({}, {}, {})", z.worst_cell[0] + 1, z.worst_cell[1] + 1,
-                       z.worst_cell[2] + 1);
+    return node_text(z.worst_cell, z.extent.nk == 1 ? 2 : 3);
 }
 
 std::string zone_table(const Report& report) {

@@ -12,12 +12,6 @@ namespace hexweave {
 
 namespace {
 
-std::string cell_text(const Node& cell, const Extent& extent) {
-    std::string text = fmt::format("({}, {}", cell[0] + 1, cell[1] + 1);
-    if (extent.nk > 1) text += fmt::format(", {}", cell[2] + 1);
-    return text + ")";
-}
-
 std::string nodes_text(const Extent& e) {
     std::string text = fmt::format("{} x {}", e.ni, e.nj);
     if (e.nk > 1) text += fmt::format(" x {}", e.nk);
@@ -142,8 +136,9 @@ std::string worst_table(const GridQuality& q) {
         });
         const bool hidden = w.verdict == JacobianVerdict::not_positive && w.scaled_jacobian > 0;
         text += fmt::format("{:<{}} {:>18} {:>10.6f} {:>11.3e} {:>9.4f}  {}{}\n", w.zone, width,
-                            cell_text(w.cell, zone->measure.extent), w.scaled_jacobian, w.volume,
-                            w.skewness, place_text(w.place), hidden ? ", not positive inside" : "");
+                            node_text(w.cell, zone->measure.extent.nk == 1 ? 2 : 3),
+                            w.scaled_jacobian, w.volume, w.skewness, place_text(w.place),
+                            hidden ? ", not positive inside" : "");
     }
     return text;
 }

@@ -22,6 +22,14 @@ std::string counted(std::size_t number, const std::string& one) {
     return counted(number, one, one + "s");
 }
 
+std::string node_text(const Node& node, int axes) {
+    std::string text = fmt::format("({}", node[0] + 1);
+    for (int axis = 1; axis < axes; ++axis) {
+        text += fmt::format(", {}", node[static_cast<std::size_t>(axis)] + 1);
+    }
+    return text + ")";
+}
+
 std::string place_text(const Vec3& p) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
 }
